@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 
@@ -391,6 +392,11 @@ int main(int argc, char** argv) {
       throw std::runtime_error(fmt::format("standard output: {}", std::strerror(errno)));
     }
     return stylet::app::leave(code);
+  } catch (const std::bad_alloc&) {
+    (void)std::fputs(
+        "stylet: not enough memory: expected a smaller organ or a shorter recording, or a higher "
+        "limit (ulimit -v)\n",
+        stderr);
   } catch (const std::exception& error) {
     (void)std::fprintf(stderr, "stylet: %s\n", error.what());
   } catch (...) {

@@ -227,6 +227,25 @@ class Recording(Folder):
             self.assertEqual(done.returncode, 1, program)
             self.assertIn("No space left on device", done.stderr)
 
+    def test_too_little_memory_is_said_in_plain_words(self):
+        def within(mebibytes, *words):
+            most = mebibytes << 20
+            return subprocess.run(
+                [BIN / "stylet", *words], capture_output=True, text=True, timeout=60,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (most, most)))
+        if within(1024, "--version").returncode != 0:
+            self.skipTest("this build reserves more addresses than it may have")
+        fewest = next(most for most in range(16, 1024, 2)
+                      if within(most, "--version").returncode == 0)
+        told = 0
+        for most in range(fewest, fewest + 40, 2):
+            for words in (["plot", self.recording, "-o", self.top / "little.svg"],
+                          ["run", SCENE, "--organ", self.organ, "--fast", "--duration-s", "0.05"]):
+                error = within(most, *words).stderr
+                self.assertNotIn("bad_alloc", error)
+                told += "stylet: not enough memory: expected a smaller organ" in error
+        self.assertGreater(told, 0)
+
     def test_replay_names_what_differs(self):
         changed = self.top / "changed.h5"
         changed.write_bytes(self.recording.read_bytes())
