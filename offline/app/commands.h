@@ -31,5 +31,7 @@ inline const std::map<std::string, double> kMetresPerUnit{
 
 // Prints each warning on a line of standard error.
 void warn(const std::vector<std::string>& warnings);
+// Tells there which files of killed commands were removed.
+void tell_of_leftovers(const std::vector<std::string>& names);
 
 }  // namespace stylet::offline

@@ -37,7 +37,7 @@ void run_hull(const HullArguments& a) {
   const Hull hull = simple_hull(a.input, points_m, a.most_vertices);
   const std::string source = std::filesystem::path(a.input).filename().string();
   const std::string text = hull_toml(hull, source, read.sha256);
-  write_file(a.output, text);
+  tell_of_leftovers(write_file(a.output, text));
   if (a.json) {
     const Json facts = {{"source", source},
                         {"vertices", hull.vertices_m.size()},

@@ -22,6 +22,13 @@ void warn(const std::vector<std::string>& warnings) {
   }
 }
 
+void tell_of_leftovers(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    fmt::print(stderr, "stylet-organ: removed {}, which a command that was killed had left\n",
+               name);
+  }
+}
+
 namespace {
 
 constexpr int kExitRefused = 1;

@@ -187,7 +187,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
     facts["quality"] = quality_facts(quality, built.report);
     add_report(outputs, a.report, facts, organ, built);
   }
-  outputs.commit();
+  tell_of_leftovers(outputs.commit());
   if (a.json) {
     fmt::print("{}\n", facts.dump(2));
   } else {

@@ -6,11 +6,17 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/refusal.h"
 #include "offline_support.h"
@@ -75,6 +81,14 @@ struct FileSystem {
   }
 };
 
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& each : std::filesystem::directory_iterator(folder)) {
+    names.insert(each.path().string());
+  }
+  return names;
+}
+
 // Some files are there before, some are not; whatever step fails, all are as they were, and if none
 // does, all are new. In between an older file is never gone where it may have two names.
 TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
@@ -119,6 +133,85 @@ TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
   }
   EXPECT_GT(failed, 100);
   EXPECT_GT(complete, 100);
+}
+
+// A command that writes some outputs, and is then killed or waits.
+class Writer {
+ public:
+  Writer(const std::vector<std::filesystem::path>& paths, bool killed) {
+    int ready[2];
+    EXPECT_EQ(::pipe(ready), 0);
+    process_ = ::fork();
+    if (process_ == 0) {
+      offline::Outputs outputs;
+      for (const auto& each : paths) outputs.add(each, std::string_view("half"));
+      (void)::syscall(SYS_write, ready[1], "r", 1);
+      if (killed) ::kill(::getpid(), SIGKILL);
+      for (;;) ::pause();
+    }
+    char byte = 0;
+    EXPECT_EQ(::read(ready[0], &byte, 1), 1);
+    ::close(ready[0]);
+    ::close(ready[1]);
+    if (killed) end();
+  }
+  ~Writer() { end(); }
+  Writer(Writer&& other) noexcept : process_(std::exchange(other.process_, 0)) {}
+  Writer& operator=(Writer&&) = delete;
+
+ private:
+  void end() {
+    if (process_ == 0) return;
+    ::kill(process_, SIGKILL);
+    ::waitpid(std::exchange(process_, 0), nullptr, 0);
+  }
+  pid_t process_ = 0;
+};
+
+// Whatever killed commands left goes with the next of the same output, which says so; what a living
+// one writes stays, and what only looks like it.
+TEST(Outputs, WhatKilledCommandsLeftIsRemovedByTheNext) {
+  std::mt19937 engine(17);
+  for (int round = 0; round < 30; ++round) {
+    const Scratch scratch;
+    const std::vector<std::filesystem::path> all = {scratch.folder / "a", scratch.folder / "b",
+                                                    scratch.folder / "a.sha256"};
+    std::set<std::string> expected, gone;
+    for (const char* name : {"a", "a.part-", "a.part-12345", "a.part-1234567", "a.part-12-456",
+                             "a.part-123456.new", "xa.part-123456", "a.PART-123456"}) {
+      scratch.write(name, "mine");
+      expected.insert(scratch.folder / name);
+    }
+    std::filesystem::create_directory(scratch.folder / "a.part-folder");
+    std::filesystem::create_symlink("a", scratch.folder / "a.part-linked");
+    expected.insert({scratch.folder / "a.part-folder", scratch.folder / "a.part-linked"});
+    std::vector<Writer> living;
+    for (int i = static_cast<int>(engine() % 6); i >= 0; --i) {
+      std::vector<std::filesystem::path> paths;
+      for (const auto& each : all) {
+        if (engine() % 2 == 0) paths.push_back(each);
+      }
+      const std::set<std::string> before = names_in(scratch.folder);
+      const bool killed = engine() % 2 == 0;
+      living.emplace_back(paths, killed);
+      for (const std::string& each : names_in(scratch.folder)) {
+        if (before.contains(each)) continue;
+        const bool of_b = each.starts_with((scratch.folder / "b").string());
+        (killed && !of_b ? gone : expected).insert(each);
+      }
+    }
+    if (engine() % 2 == 0) {
+      scratch.write("a.part-123456.old", "an older a");
+      gone.insert(scratch.folder / "a.part-123456.old");
+    }
+    offline::Outputs outputs;
+    outputs.add(scratch.folder / "a", std::string_view("new"));
+    outputs.remove(scratch.folder / "a.sha256");
+    const std::vector<std::string> removed = outputs.commit();
+    EXPECT_EQ(std::set<std::string>(removed.begin(), removed.end()), gone) << round;
+    EXPECT_EQ(names_in(scratch.folder), expected) << round;
+    EXPECT_EQ(slurp(scratch.folder / "a"), "new");
+  }
 }
 
 TEST(Outputs, EveryByteIsWrittenHoweverFewAreTakenAtOnce) {

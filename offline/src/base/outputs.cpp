@@ -2,9 +2,12 @@
 #include "base/outputs.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -14,6 +17,9 @@
 
 namespace stylet::offline {
 namespace {
+
+constexpr std::string_view kPart = ".part-", kOlder = ".old";
+constexpr std::size_t kRandomLetters = 6;  // of mkostemp
 
 bool write_all(int file, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
@@ -36,6 +42,52 @@ bool follow_umask(int file) {
   const mode_t mask = ::umask(0);  // can only be read by setting it
   ::umask(mask);
   return ::fchmod(file, kAllMayWrite & ~mask) == 0;
+}
+
+// A new file beside `path`. Its lock says that its writer lives. Another command that ends between
+// making and locking takes it for a leftover: then again.
+int open_temporary(const std::filesystem::path& path, std::string& name_out) {
+  for (;;) {
+    name_out = path.string() + std::string(kPart) + std::string(kRandomLetters, 'X');
+    const int file = ::mkostemp(name_out.data(), O_CLOEXEC);
+    if (file < 0) return file;
+    (void)::flock(file, LOCK_EX);  // where there are no locks, nothing is taken for a leftover
+    struct stat now {};
+    if (::fstat(file, &now) != 0 || now.st_nlink > 0) return file;
+    ::close(file);
+  }
+}
+
+// Whether a file's name, less that of the output, is one that open_temporary or name_beside gives.
+bool is_part(std::string_view ending) {
+  if (!ending.starts_with(kPart)) return false;
+  ending.remove_prefix(kPart.size());
+  if (ending.ends_with(kOlder)) ending.remove_suffix(kOlder.size());
+  return ending.size() == kRandomLetters &&
+         std::all_of(ending.begin(), ending.end(),
+                     [](unsigned char letter) { return std::isalnum(letter) != 0; });
+}
+
+bool remove_without_writer(const std::filesystem::path& part) {
+  const int file = ::open(part.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  struct stat now {};
+  const bool removed = file >= 0 && ::fstat(file, &now) == 0 && S_ISREG(now.st_mode) &&
+                       ::flock(file, LOCK_EX | LOCK_NB) == 0 && ::unlink(part.c_str()) == 0;
+  if (file >= 0) ::close(file);
+  return removed;
+}
+
+// Removes what commands that were killed left beside an output; adds their names.
+void remove_leftovers(const std::filesystem::path& path, std::vector<std::string>& names) {
+  const std::string name = path.filename().string();
+  std::error_code error;
+  const auto folder = path.has_parent_path() ? path.parent_path() : ".";
+  for (const auto& each : std::filesystem::directory_iterator(folder, error)) {
+    const std::string other = each.path().filename().string();
+    if (!other.starts_with(name) || !is_part(std::string_view(other).substr(name.size()))) continue;
+    const auto part = path.parent_path() / other;
+    if (remove_without_writer(part)) names.push_back(part.string());
+  }
 }
 
 }  // namespace
@@ -99,14 +151,12 @@ void Outputs::add(const std::filesystem::path& path, std::span<const std::byte> 
       refuse("{}: would be written twice by this command: expected another name", path.string());
     }
   }
-  std::string temporary = path.string() + ".part-XXXXXX";
-  const int file = ::mkstemp(temporary.data());
+  std::string temporary;
+  const int file = open_temporary(path, temporary);
   if (file < 0) refuse("{}: cannot be written: {}", path.string(), std::strerror(errno));
-  files_.push_back({path, temporary});
-  const bool good = follow_umask(file) && write_all(file, bytes);
-  const int error = errno;
-  ::close(file);
-  if (!good) refuse("{}: cannot be written: {}", path.string(), std::strerror(error));
+  files_.push_back({path, temporary, file});
+  if (follow_umask(file) && write_all(file, bytes)) return;
+  refuse("{}: cannot be written: {}", path.string(), std::strerror(errno));
 }
 
 void Outputs::add(const std::filesystem::path& path, std::string_view text) {
@@ -148,7 +198,7 @@ bool Outputs::name(File& file) {
 // On a file system that cannot exchange files an older one gets a second name first, or another
 // one where it may have only one.
 bool Outputs::name_beside(File& file) {
-  const std::string older = file.temporary + ".old";
+  const std::string older = file.temporary + std::string(kOlder);
   const bool kept = ::link(file.path.c_str(), older.c_str()) == 0 ||
                     (errno != ENOENT && ::rename(file.path.c_str(), older.c_str()) == 0);
   if (!kept && errno != ENOENT) return false;
@@ -165,7 +215,7 @@ bool Outputs::name_beside(File& file) {
   return file.named;
 }
 
-void Outputs::commit() {
+std::vector<std::string> Outputs::commit() {
   hold_signals();
   for (File& file : files_) {
     if (name(file)) continue;
@@ -175,24 +225,34 @@ void Outputs::commit() {
     if (file.replaced) ::unlink(file.temporary.c_str());
   }
   std::error_code error;
-  for (const auto& path : removed_) std::filesystem::remove(path, error);
+  std::vector<std::string> leftovers;
+  for (const auto& path : removed_) {
+    std::filesystem::remove(path, error);
+    remove_leftovers(path, leftovers);
+  }
+  for (const File& file : files_) {
+    remove_leftovers(file.path, leftovers);
+    ::close(file.lock);
+  }
   files_.clear();
   folders_.clear();
   release_signals();
+  return leftovers;
 }
 
 void Outputs::take_back() {
   for (const File& file : files_) {
     if (file.replaced) ::rename(file.temporary.c_str(), file.path.c_str());
     if (!file.replaced) ::unlink(file.named ? file.path.c_str() : file.temporary.c_str());
+    ::close(file.lock);
   }
   for (auto each = folders_.rbegin(); each != folders_.rend(); ++each) ::rmdir(each->c_str());
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
+std::vector<std::string> write_file(const std::filesystem::path& path, std::string_view text) {
   Outputs one;
   one.add(path, text);
-  one.commit();
+  return one.commit();
 }
 
 }  // namespace stylet::offline

@@ -5,8 +5,9 @@
 // a directory, a device or another special file. Bytes go to temporaries beside the final names.
 // commit() renames them once all are complete and on the disk; without commit(), or if it fails,
 // every file is as it was, also on file systems that cannot exchange two files. SIGINT, SIGTERM
-// and SIGHUP are held back until then (SIGKILL leaves the temporaries behind). Permissions follow
-// the umask. Failures are refused with one line.
+// and SIGHUP are held back until then. SIGKILL leaves the temporaries behind, as NAME.part- and six
+// letters; the next commit() of the same output removes them, but none whose writer still lives.
+// Permissions follow the umask. Failures are refused with one line.
 #pragma once
 
 #include <csignal>
@@ -36,12 +37,14 @@ class Outputs {
   void add_folder(const std::filesystem::path& path);
   // Removes a file of an older command that would contradict what this command writes.
   void remove(const std::filesystem::path& path);
-  void commit();
+  // Returns the leftovers of killed commands that it removed.
+  std::vector<std::string> commit();
 
  private:
   struct File {
     std::filesystem::path path;
     std::string temporary;  // after its commit: the file that was there before, if any
+    int lock;               // the temporary, open and locked while this command lives
     bool named = false, replaced = false;
   };
   bool name(File& file);
@@ -55,7 +58,7 @@ class Outputs {
   sigset_t held_{};  // the signals that this object blocks
 };
 
-// Writes a single file.
-void write_file(const std::filesystem::path& path, std::string_view text);
+// Writes a single file; returns what commit() does.
+std::vector<std::string> write_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace stylet::offline
