@@ -111,8 +111,8 @@ void add_build(CLI::App& app) {
       ->type_name("NUMBER")
       ->capture_default_str();
   auto* wrap = command->add_flag("--wrap", a.wrap,
-                                 "Last resort for a mesh that is not closed: replace each by a "
-                                 "closed skin around it, which tells what it changes");
+                                 "Last resort for a mesh that is not closed: a closed skin around "
+                                 "it takes its place; the report tells what that changed");
   command
       ->add_option("--recipe", a.recipe,
                    "TOML file that says which labels are which tissue; the input is then a label "
