@@ -365,7 +365,19 @@ class IrregularSeries(Conformance):
                 if count == 1000:
                     self.check(folder, held(slices))
                 else:
-                    self.refused(folder, path.name, "more than 1000 elements are out of order")
+                    self.refused(folder, path.name, "more than 1000 kinds are out of order")
+
+        def own_order(folder, random):  # of a writer who has it in each of 3000 items
+            slices = stack(random)[:1]
+            path = next(write_slices(folder, slices, random).iterdir())
+            item = b"".join((struct.pack("<HHI", 0xFFFE, 0xE000, 2**32 - 1),
+                             struct.pack("<HH2sH", 0x4009, 0x1012, b"LO", 0),
+                             struct.pack("<HH2sH", 0x4009, 0x1011, b"LO", 0),
+                             struct.pack("<HHI", 0xFFFE, 0xE00D, 0)))
+            path.write_bytes(path.read_bytes() + struct.pack(
+                "<HH2sHI", 0x4009, 0x1010, b"SQ", 0, 2**32 - 1) + 3000 * item +
+                struct.pack("<HHI", 0xFFFE, 0xE0DD, 0))
+            self.check(folder, held(slices))
 
         def many_elements(folder, random):  # among which each frame's numbers are looked for
             slices = stack(random)
@@ -389,7 +401,8 @@ class IrregularSeries(Conformance):
             self.refused(folder, "2 DICOM series", f"1.2.3.9: {len(slices)} files", "expected one")
 
         self.cases(2, missing)
-        self.cases(1, twice, overlapping, cut, deep, empty_items, no_order, many_elements,
+        self.cases(1, twice, overlapping, cut, deep, empty_items, no_order, own_order,
+                   many_elements,
                    two_series)
 
     def test_slices_that_differ_or_lack_something_are_refused(self):

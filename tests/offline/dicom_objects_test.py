@@ -579,6 +579,35 @@ class StructureSets(Conformance):
             self.check(path, {1: drawn.held(liver)}, NEAR,
                        said=["Liver: 4 contours are there twice: each was taken once"])
 
+        def mirrored(folder, random):  # the same outline, area and middle, and yet another
+            drawn = Drawn(random)
+            one = numpy.array([[0, 0], [20, 0], [20, 12], [30, 12], [30, 20], [10, 20], [10, 8],
+                               [0, 8]], float)
+            box = lambda a, b, c, d: numpy.array([[a, c], [b, c], [b, d], [a, d]], float)
+            count = drawn.planes
+            contours = drawn.contours([one] * count) + drawn.contours(
+                [one * [-1, 1] + [30, 0]] * count)
+            path = dicom.write_structures(folder / "rt.dcm", [(1, "Z", contours)])
+            both = [[box(10, 20, 0, 20)] * count, [box(0, 10, 8, 12)] * count,
+                    [box(20, 30, 8, 12)] * count]
+            self.check(path, {1: drawn.held([box(0, 30, 0, 20)] * count, both)}, NEAR)
+
+        def rods(folder, random):  # in a pattern, where much lies at the same place along a line
+            drawn = Drawn(random, planes=20)
+            way = numpy.linspace(0, 2 * numpy.pi, 12, endpoint=False)
+            circle = 1.2 * numpy.stack([numpy.cos(way), numpy.sin(way)], 1)
+            single = [points for i in range(12) for j in range(12)
+                      for points in drawn.contours([circle + [3 * i, 4 * j]] * drawn.planes)]
+            again = [points[::-1] + random.uniform(-1e-3, 1e-3, points.shape)
+                     for points in single]
+            seen = []
+            for name, contours in (("single", single), ("twice", shuffled(random, single + again))):
+                path = dicom.write_structures(folder / f"{name}.dcm", [(1, "Rods", contours)])
+                seen.append(json.loads(ran(path).stdout))
+            self.assertIn(f"{len(single)} contours are there twice", seen[1]["notes"][0])
+            volumes = [facts["labels"][0]["volume_ml"] for facts in seen]
+            self.assertAlmostEqual(volumes[1] / volumes[0], 1, delta=0.01)
+
         def two_of_the_same_kind(folder, random):  # halves of a square, one in another
             drawn = Drawn(random)
             corner = numpy.array([[-20, -20], [20, -20], [20, 20], [-20, 20]], float)
@@ -609,7 +638,7 @@ class StructureSets(Conformance):
                        said=["each was given to the smallest of them"])
 
         self.cases(3, oblique)
-        self.cases(1, axial, of_many_points, holes, repeated, lying_on_another,
+        self.cases(1, axial, of_many_points, holes, repeated, lying_on_another, mirrored, rods,
                    two_of_the_same_kind, keyholes, inside,
                    sagittal_and_coronal, wide, exclusive)
 

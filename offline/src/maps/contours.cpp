@@ -39,10 +39,32 @@ Outline outline_of(const Contour& contour) {
   return outline;
 }
 
-bool is_same(const Outline& a, const Outline& b) {
+bool may_be_same(const Outline& a, const Outline& b) {
   const auto near = [](Vec u, Vec v) { return length(u - v) <= kSameM; };
   return near(a.low, b.low) && near(a.high, b.high) && near(a.middle, b.middle) &&
          std::fabs(a.area_m2 - b.area_m2) <= kSameM * std::max(a.line_m, b.line_m);
+}
+
+bool lies_on(Vec point, const Contour& contour) {
+  for (std::size_t i = 0; i < contour.points_m.size(); ++i) {
+    const Vec from = contour.points_m[i];
+    const Vec way = contour.points_m[(i + 1) % contour.points_m.size()] - from;
+    const double size2 = dot(way, way);
+    const double part = size2 > 0 ? std::clamp(dot(point - from, way) / size2, 0.0, 1.0) : 0;
+    if (length(point - (from + way * part)) <= kSameM) return true;
+  }
+  return false;
+}
+
+// Whether points of each lie on the other: all, or of long contours some, one as far from the next
+// as another, so that time follows the points. (A figure may have the outline of its mirror image.)
+bool lie_on_another(const Contour& a, const Contour& b) {
+  constexpr std::size_t kMostAsked = 64;
+  const std::size_t count = a.points_m.size(), asked = std::min(count, kMostAsked);
+  for (std::size_t i = 0; i < asked; ++i) {
+    if (!lies_on(a.points_m[i * count / asked], b)) return false;
+  }
+  return true;
 }
 
 // Where the even-odd rule changes sides in each row: a place between two pixels belongs to the one
@@ -117,13 +139,18 @@ Vec area_of(const Contour& contour) {
 }
 
 std::size_t drop_repeated(std::vector<Contour>& contours) {
-  // Where an outline lies in a row of all; near ones are near, so that few are compared. The number
-  // is bounded, as somebody may write any number of contours that differ in the rest.
-  constexpr std::size_t kMostCompared = 64;
-  constexpr Vec kAlong{0.8, 0.36, 0.48};
+  // Where an outline lies in a row of all; near ones are near, so that few are compared. Roots of
+  // primes, as with fractions many of a regular pattern lie at one place of the row. The number is
+  // bounded, as somebody may write any number of contours that differ in the rest.
+  constexpr std::size_t kMostCompared = 256;
+  constexpr Vec kOfMiddle{1.41421356, 1.73205081, 2.23606798};
+  constexpr Vec kOfLow{2.64575131, 3.31662479, 3.60555128};
+  const double reach_m = kSameM * (length(kOfMiddle) + length(kOfLow));
   std::vector<Outline> outlines;
   for (const Contour& contour : contours) outlines.push_back(outline_of(contour));
-  const auto along = [&](std::size_t i) { return dot(kAlong, outlines[i].middle); };
+  const auto along = [&](std::size_t i) {
+    return dot(kOfMiddle, outlines[i].middle) + dot(kOfLow, outlines[i].low);
+  };
   std::vector<std::size_t> order(contours.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -132,10 +159,10 @@ std::size_t drop_repeated(std::vector<Contour>& contours) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (std::size_t back = 1; back <= std::min(i, kMostCompared); ++back) {
       const std::size_t other = order[i - back];
-      if (along(order[i]) - along(other) > kSameM) break;
-      if (!repeated[other] && is_same(outlines[order[i]], outlines[other])) {
-        repeated[order[i]] = true;
-      }
+      if (along(order[i]) - along(other) > reach_m) break;
+      if (repeated[other] || !may_be_same(outlines[order[i]], outlines[other])) continue;
+      const Contour &one = contours[order[i]], &two = contours[other];
+      if (lie_on_another(one, two) && lie_on_another(two, one)) repeated[order[i]] = true;
     }
   }
   std::vector<Contour> kept;

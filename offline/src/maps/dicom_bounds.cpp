@@ -9,6 +9,8 @@
 #include <dcmtk/oflog/spi/logevent.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "base/file.h"
@@ -19,26 +21,31 @@ namespace stylet::offline {
 namespace {
 
 // DCMTK warns of each element that is out of order, and has no other way to end its search for
-// their places than an exception from the warning.
+// their places than an exception from the warning. Its text ends with the element's tag. A writer
+// that has its own order has it in every item; only many different tags can be far from their
+// places, as an item has each once.
 class OrderWatch : public dcmtk::log4cplus::Appender {
  public:
   ~OrderWatch() override { destructorImpl(); }
   void close() override {}
   void begin(const std::string& path) {
     path_ = path;
-    misplaced_ = 0;
+    misplaced_.clear();
   }
 
  private:
   void append(const dcmtk::log4cplus::spi::InternalLoggingEvent& event) override {
     constexpr std::size_t kMost = 1000;  // toolkits write none
-    if (event.getMessage().find("not in ascending tag order") == OFString_npos) return;
-    if (++misplaced_ <= kMost) return;
-    refuse("{}: more than {} elements are out of order: expected tags that ascend", path_, kMost);
+    const auto& text = event.getMessage();
+    if (text.find("not in ascending tag order") == OFString_npos) return;
+    misplaced_.insert(text.c_str());
+    if (misplaced_.size() <= kMost) return;
+    refuse("{}: elements of more than {} kinds are out of order: expected tags that ascend", path_,
+           kMost);
   }
 
   std::string path_;
-  std::size_t misplaced_ = 0;
+  std::set<std::string> misplaced_;  // what was said of each tag
 };
 
 // Makes DCMTK silent and able to read compressed pixels; once for the whole process.
