@@ -82,7 +82,8 @@ FRAMES = {case: [*HEADERS, ["label_frame_test.py", case], *REAL_MAPS]
 EVERY_FRAME = [*HEADERS, ["label_frame_test.py"], *REAL_MAPS]
 DICOM = {each: [f"dicom_{each[0]}_test.py", each[1]] for each in (
     ("conformance", "RegularSeries"), ("conformance", "IrregularSeries"),
-    ("objects", "Segmentations"), ("objects", "StructureSets"))}
+    ("objects", "Segmentations"), ("objects", "StructureSets"),
+    ("numbers", "Numbers"), ("numbers", "NumbersOfObjects"))}
 DICOM = {each[1]: test for each, test in DICOM.items()} | {"All": ["dicom_test.py"]}
 ORGANS = ["offline_organ_test", "--gtest_filter=-*Real*"]
 MAPS = ["offline_label_test", "--gtest_filter=LabelOrgan.*:Wall.*-*WholeBody*"]
@@ -109,6 +110,7 @@ OFFLINE = {
     "maps/nifti": [*HEADERS, *REAL_MAPS],
     "maps/names": [*HEADERS, ["dicom_test.py"], *REAL_MAPS],
     **dict.fromkeys(("maps/dicom_bounds", "maps/dicom_file"), [RANDOM_LABELS, *DICOM.values()]),
+    "maps/dicom_number": [DICOM["NumbersOfObjects"], DICOM["Numbers"], DICOM["All"]],
     "maps/dicom_series": [DICOM["RegularSeries"], DICOM["All"], DICOM["IrregularSeries"],
                            DICOM["StructureSets"]],
     "maps/stack": [DICOM["All"], DICOM["RegularSeries"], DICOM["StructureSets"],

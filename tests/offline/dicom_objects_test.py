@@ -900,7 +900,8 @@ class StructureSets(Conformance):
                 points = file.ROIContourSequence[1].ContourSequence[0]
                 points.add_new(0x30060050, "DS", None)
                 points["ContourData"]._value = "one\\two\\three\\four\\five\\six\\1\\2\\3"
-            written(folder, random, lambda good: good, "expected three", change=change)
+            written(folder, random, lambda good: good, "contour 0: point 0: ContourData one: ",
+                    "expected a number", change=change)
 
         def too_many(folder, random):
             path = dicom.write_structures(folder / "rt.dcm",

@@ -33,16 +33,12 @@ DcmItem& root_of(const DicomFile& file) {
 }
 
 Contour contour_of(const std::string& where, DcmItem& item) {
-  DcmElement* element = nullptr;
-  (void)item.findAndGetElement(DCM_ContourData, element);
-  auto* const text = dynamic_cast<DcmDecimalString*>(element);
-  OFVector<Float64> numbers;
-  if (text == nullptr || text->getFloat64Vector(numbers).bad() || numbers.size() % 3 != 0 ||
-      numbers.size() < 9) {
+  const std::vector<double> numbers = numbers_of_points(where, item, DCM_ContourData);
+  if (numbers.size() % 3 != 0 || numbers.size() < 9) {
     refuse("{}: {} numbers in ContourData: expected three points or more, with three numbers each",
            where, numbers.size());
   }
-  const double told = number_of(item, DCM_NumberOfContourPoints);
+  const double told = number_of(where, item, DCM_NumberOfContourPoints);
   if (!std::isnan(told) && told != static_cast<double>(numbers.size() / 3)) {
     refuse("{}: NumberOfContourPoints {}, but ContourData holds {}: expected as many", where, told,
            numbers.size() / 3);
@@ -77,7 +73,7 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
   std::vector<double> numbers;
   bool by_number = true;
   for (DcmItem* const roi : items_of(root_of(file), DCM_StructureSetROISequence)) {
-    numbers.push_back(number_of(*roi, DCM_ROINumber));
+    numbers.push_back(number_of(file.path, *roi, DCM_ROINumber));
     by_number = by_number && numbers.back() >= 1 && numbers.back() <= 65535;
     const std::string name = text_of(*roi, DCM_ROIName);
     require_short(file.path, name);
@@ -102,7 +98,7 @@ std::vector<Structure> structures_of(const DicomFile& file, std::vector<std::str
   }
   std::size_t left_out = 0;
   for (DcmItem* const roi : items_of(root_of(file), DCM_ROIContourSequence)) {
-    const double number = number_of(*roi, DCM_ReferencedROINumber);
+    const double number = number_of(file.path, *roi, DCM_ReferencedROINumber);
     const auto found = std::find(numbers.begin(), numbers.end(), number);
     if (found == numbers.end()) {
       refuse("{}: ReferencedROINumber {}: expected the number of a structure", file.path, number);

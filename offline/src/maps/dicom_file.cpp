@@ -19,8 +19,12 @@ DcmDataset& dataset_of(const DicomFile& file) {
 }
 
 std::uint16_t count_of(const DicomFile& file, const DcmTagKey& tag, std::uint16_t otherwise) {
-  Uint16 value = 0;
-  return dataset_of(file).findAndGetUint16(tag, value).good() ? value : otherwise;
+  const double count = number_of(file.path, dataset_of(file), tag);
+  if (std::isnan(count)) return otherwise;
+  if (!(count >= 0 && count <= 65535)) {
+    refuse("{}: {} {}: expected 0 to 65535", file.path, DcmTag(tag).getTagName(), count);
+  }
+  return static_cast<std::uint16_t>(count);
 }
 
 // Refuses too many claimed frames or pixels before memory is allocated for each of them.
@@ -38,10 +42,12 @@ void require_pixels_held(const DicomFile& file) {
 
 void read_groups(DicomFile& file) {
   DcmDataset& data = dataset_of(file);
-  Sint32 frames = 1;
-  if (data.findAndGetSint32(DCM_NumberOfFrames, frames).bad()) frames = 1;
-  if (frames < 1) refuse("{}: NumberOfFrames {}: expected 1 or more", file.path, frames);
-  file.frames = static_cast<std::size_t>(frames);
+  const double frames = number_of(file.path, data, DCM_NumberOfFrames);
+  constexpr double kMostFrames = 2147483647;  // of an integer string (PS3.5, 6.2)
+  if (!std::isnan(frames) && !(frames >= 1 && frames <= kMostFrames)) {
+    refuse("{}: NumberOfFrames {}: expected 1 to {}", file.path, frames, kMostFrames);
+  }
+  file.frames = std::isnan(frames) ? 1 : static_cast<std::size_t>(frames);
   file.groups = items_of(data, DCM_PerFrameFunctionalGroupsSequence);
   const std::vector<DcmItem*> shared = items_of(data, DCM_SharedFunctionalGroupsSequence);
   if (!shared.empty()) file.shared = shared.front();
@@ -95,16 +101,6 @@ std::string text_of(const DicomFile& file, const DcmTagKey& tag) {
   return text_of(dataset_of(file), tag);
 }
 
-double number_of(DcmItem& item, const DcmTagKey& tag, unsigned long place) {
-  Float64 number = 0;
-  Uint16 count = 0;  // a binary number
-  Sint32 whole = 0;  // a text, or 32 bits
-  if (item.findAndGetFloat64(tag, number, place).good()) return number;
-  if (item.findAndGetUint16(tag, count, place).good()) return count;
-  if (item.findAndGetSint32(tag, whole, place).good()) return whole;
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 std::vector<DcmItem*> items_of(DcmItem& item, const DcmTagKey& sequence) {
   DcmSequenceOfItems* found = nullptr;
   std::vector<DcmItem*> items;
@@ -119,25 +115,25 @@ std::vector<DcmItem*> items_of(DcmItem& item, const DcmTagKey& sequence) {
 double number_of(const DicomFile& file, std::size_t frame, const DcmTagKey& group,
                  const DcmTagKey& tag, unsigned long place) {
   constexpr double kSame = 1e-4;  // of numbers with a few digits
+  const std::string where = frame_name(file, frame);
   const auto told_by = [&](DcmItem* groups) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     DcmSequenceOfItems* found = nullptr;
     if (groups == nullptr || groups->findAndGetSequence(group, found).bad()) return kNone;
     if (found->card() > 1) {
-      refuse("{}: {} items in {}: expected one", frame_name(file, frame), found->card(),
-             DcmTag(group).getTagName());
+      refuse("{}: {} items in {}: expected one", where, found->card(), DcmTag(group).getTagName());
     }
-    return found->card() == 0 ? kNone : number_of(*found->getItem(0), tag, place);
+    return found->card() == 0 ? kNone : number_of(where, *found->getItem(0), tag, place);
   };
   const double own = told_by(frame < file.groups.size() ? file.groups[frame] : nullptr);
   const double shared = told_by(file.shared);
   // DICOM has each functional group in one of the two only (PS3.3, C.7.6.16.1).
   if (std::fabs(own - shared) > kSame * std::max({1.0, std::fabs(own), std::fabs(shared)})) {
-    refuse("{}: {} {} for this frame, but {} for all frames: expected it in one place",
-           frame_name(file, frame), DcmTag(tag).getTagName(), own, shared);
+    refuse("{}: {} {} for this frame, but {} for all frames: expected it in one place", where,
+           DcmTag(tag).getTagName(), own, shared);
   }
   if (!std::isnan(own)) return own;
-  return std::isnan(shared) ? number_of(dataset_of(file), tag, place) : shared;
+  return std::isnan(shared) ? number_of(where, dataset_of(file), tag, place) : shared;
 }
 
 std::string frame_name(const DicomFile& file, std::size_t frame) {

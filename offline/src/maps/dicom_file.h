@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "maps/dicom_number.h"
 #include "maps/stack.h"
 
 namespace stylet::offline {
@@ -35,8 +36,6 @@ DicomFile open_dicom(const std::string& path);
 
 std::string text_of(DcmItem& item, const DcmTagKey& tag);
 std::string text_of(const DicomFile& file, const DcmTagKey& tag);
-// NaN if the item has no such number.
-double number_of(DcmItem& item, const DcmTagKey& tag, unsigned long place = 0);
 std::vector<DcmItem*> items_of(DcmItem& item, const DcmTagKey& sequence);
 // Number of a frame, from its own functional group, else the shared one, else the file. Refuses two
 // different ones in the first two.

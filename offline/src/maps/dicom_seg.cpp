@@ -129,7 +129,7 @@ void sort_by_segment(std::vector<Frame>& frames) {
 double threshold(const DicomFile& file, std::vector<std::string>& notes) {
   const std::string kind = text_of(file, DCM_SegmentationType);
   if (kind == "BINARY") return 1;
-  const double most = number_of(*file.format->getDataset(), DCM_MaximumFractionalValue);
+  const double most = number_of(file.path, *file.format->getDataset(), DCM_MaximumFractionalValue);
   if (kind != "FRACTIONAL" || !(most >= 1 && most <= 255)) {
     refuse(
         "{}: SegmentationType {}, MaximumFractionalValue {}: expected BINARY, LABELMAP, or "
@@ -155,10 +155,10 @@ bool is_background(DcmItem& segment) {
 // every pixel belongs to a segment, except in files that describe segment 0 as background or not at
 // all, like those of dcmqi before 1.5.5. Source: DICOM PS3.3, C.8.20.2; PS3.16, CID 7150.
 double background_of(const DicomFile& file) {
-  const double told = number_of(*file.format->getDataset(), DCM_PixelPaddingValue);
+  const double told = number_of(file.path, *file.format->getDataset(), DCM_PixelPaddingValue);
   if (!std::isnan(told)) return told;
   for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
-    if (number_of(*segment, DCM_SegmentNumber) != 0 || is_background(*segment)) continue;
+    if (number_of(file.path, *segment, DCM_SegmentNumber) != 0 || is_background(*segment)) continue;
     refuse(
         "{}: no PixelPaddingValue, and segment 0 is {}: expected segments from 1 on, or "
         "PixelPaddingValue 0 where that is the background",
@@ -185,7 +185,8 @@ void put_label_map(const DicomFile& file, const std::vector<Frame>& frames, Stac
     }
     put_plane(stack, frame.plane, labels);
   }
-  if (empty > 0 && std::isnan(number_of(*file.format->getDataset(), DCM_PixelPaddingValue))) {
+  if (empty > 0 &&
+      std::isnan(number_of(file.path, *file.format->getDataset(), DCM_PixelPaddingValue))) {
     notes.push_back(fmt::format(
         "{}: no PixelPaddingValue: its {} pixels of 0 were taken as belonging to no segment",
         file.path, empty));
@@ -208,7 +209,7 @@ void put_segments(const DicomFile& file, const std::vector<Frame>& frames, Stack
 std::set<std::uint16_t> read_names(const DicomFile& file, LabelMap& map) {
   std::set<std::uint16_t> numbers;
   for (DcmItem* const segment : items_of(*file.format->getDataset(), DCM_SegmentSequence)) {
-    const double number = number_of(*segment, DCM_SegmentNumber);
+    const double number = number_of(file.path, *segment, DCM_SegmentNumber);
     if (pixels_are_segments(file) && number == background_of(file)) continue;
     if (!(number >= 1 && number <= 65535)) {
       refuse("{}: SegmentNumber {}: expected 1 to 65535", file.path, number);
