@@ -4,9 +4,10 @@
 
 Counts with callgrind, a step with AVX-512 by single steps; fits a line to each, and fails where the
 work does not lie on it, where a step takes more than its budget, or where it depends on how violent
-the hand is. Writes the counts and, with gnuplot, their picture.
+the hand is. Writes the counts and, with gnuplot, their picture. With --readme it fails where that
+file's counts of a step are not these within a percent.
 
-usage: growth.py STYLET_WORK [--out FOLDER] [--quick]
+usage: growth.py STYLET_WORK [--out FOLDER] [--quick] [--readme README]
 """
 import argparse
 import pathlib
@@ -21,6 +22,9 @@ import tempfile
 # lanes with AVX-512, too: more instructions than with 16, in less time (kernel/decisions/08).
 BUDGET = {"step": {"avx2": 227, "avx512": 162}, "sweep": {"avx2": 125, "avx512": 62}}
 STRAIGHT = 0.10  # largest distance of a point from the line, of the largest count
+SAID = re.compile(r"takes ([\d.]+) instructions a step with AVX2, ([\d.]+) with AVX-512, of which "
+                  r"([\d.]+) and ([\d.]+)\s+are the sweep")
+SAID_ARE = [("step", "avx2"), ("step", "avx512"), ("sweep", "avx2"), ("sweep", "avx512")]
 
 
 def measure(program, voxels, unit_mm, rods, hand, what):
@@ -80,17 +84,17 @@ def judge(found):
             yield f"{name}: {100 * bend:.1f} % off the line, allowed are {100 * STRAIGHT:.0f} %"
 
 
-def judge_step(program):
+def judge_step(program, each_out):
     for what, budget in BUDGET.items():
         count, of = measure(program, 5000, 5, 0, "quiet", what)
-        yield from judge_each(what, "avx2", count, of, budget)
+        yield from judge_each(what, "avx2", count, of, budget, each_out)
         done = subprocess.run([program, "5000", "5", "0", "quiet", what, "avx512"],
                               capture_output=True, text=True)  # callgrind knows no AVX-512
         if done.returncode == 77:
             print(f"{what} with AVX-512: cannot be counted on this machine")
             continue
         of = {key: int(value) for key, value in re.findall(r"(\w+)=(\d+)", done.stdout)}
-        yield from judge_each(what, "avx512", of["instructions"], of, budget)
+        yield from judge_each(what, "avx512", of["instructions"], of, budget, each_out)
     quiet, of_quiet = measure(program, 1000, 5, 0, "quiet", "step")
     violent, of_violent = measure(program, 1000, 5, 0, "violent", "step")
     print(f"step under a quiet hand {quiet}, under a violent one {violent}")
@@ -100,13 +104,23 @@ def judge_step(program):
         yield f"not the same work, so it proves nothing: {of_quiet}, {of_violent}"
 
 
-def judge_each(what, instruction_set, count, of, budget):
-    each = count / of["voxels"]
+def judge_each(what, instruction_set, count, of, budget, each_out):
+    each = each_out[what, instruction_set] = count / of["voxels"]
     print(f"{what} of {of['voxels']} voxels, {of['passes']} passes, {of['cps']} constraint "
           f"particles, {instruction_set}: {each:.1f} a voxel")
     if each > budget[instruction_set]:
         yield (f"{what}, {instruction_set}: {each:.1f} instructions a voxel, "
                f"allowed are {budget[instruction_set]}")
+
+
+def judge_readme(path, each):
+    said = SAID.search(path.read_text())
+    if said is None:
+        yield f"{path}: says no more how many instructions a voxel takes"
+        return
+    for text, of in zip(said.groups(), SAID_ARE):
+        if of in each and abs(float(text) - each[of]) > 0.01 * each[of]:
+            yield f"{path}: says {text} a voxel for {' with '.join(of)}, counted are {each[of]:.1f}"
 
 
 def write(found, folder):
@@ -136,6 +150,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--readme", type=pathlib.Path)
     options = parser.parse_args()
     if shutil.which("valgrind") is None:
         print("skipped: valgrind, which counts the instructions, is not installed")
@@ -144,7 +159,10 @@ def main():
         print("skipped: this processor has no AVX2, for which the budget is")
         return 77
     found = series(options.program, options.quick)
-    faults = [*judge(found), *judge_step(options.program)]
+    each = {}
+    faults = [*judge(found), *judge_step(options.program, each)]
+    if options.readme:
+        faults += judge_readme(options.readme, each)
     if options.out:
         write(found, options.out)
     print("\n".join(faults))

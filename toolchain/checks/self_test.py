@@ -18,6 +18,7 @@ import links  # noqa: E402
 import loops  # noqa: E402
 import mutation  # noqa: E402
 import promises  # noqa: E402
+import repeated  # noqa: E402
 import rooms  # noqa: E402
 import sensitivity  # noqa: E402
 import stack  # noqa: E402
@@ -54,7 +55,7 @@ class CompileTimes(Sample):
     def log(self, *rows):
         self.write("slow.py", "import time\nwhile time.process_time() < 0.5: pass\n")
         self.write("build.ninja", "rule run\n  command = python3 slow.py -o $out\n"
-                                  "build a.cpp.o: run\nbuild wrap.cpp.o: run\n")
+                                  "build a.cpp.o: run\n")
         self.write(".ninja_log", "# ninja log v5\n" + "".join(
             f"0\t{ms}\t0\t{output}\t0\n" for output, ms in rows))
 
@@ -67,7 +68,7 @@ class CompileTimes(Sample):
         self.assertEqual(list(compile_times.faults(self.top, 8)), [])
 
     def test_looks_only_at_what_the_log_says_and_the_build_has(self):
-        self.log(("a.cpp.o", 1000), ("a.cpp.o", 200), ("wrap.cpp.o", 1000), ("gone.cpp.o", 1000))
+        self.log(("a.cpp.o", 1000), ("a.cpp.o", 200), ("gone.cpp.o", 1000))
         self.assertEqual(list(compile_times.faults(self.top, 0.3)), [])
 
 
@@ -341,6 +342,31 @@ class Drivers(Sample):
     def test_refuses_a_page_without_the_table(self):
         with self.assertRaises(ValueError):
             list(self.faults(readme="| a |\n"))
+
+
+class Repeated(Sample):
+    DEARER = (r"dearest (\d+), bound ([\d.]+) G", [1204, 1.5449])
+
+    def faults(self, text):
+        self.write("a.md", text)
+        return repeated.compared(self.top, "a.md", *self.DEARER)
+
+    def test_reads_tables_whose_rows_begin_with_a_name(self):
+        path = self.write("costs.txt", "# scene worst\nfig-02 1204 -3\nworst 7 8\n")
+        self.assertEqual(repeated.table(path), {"fig-02": [1204, -3], "worst": [7, 8]})
+
+    def test_names_line_text_and_number_of_what_is_stale_and_mends_it(self):
+        text, faults = self.faults("a\nb: dearest 1191, bound 1.40 G.\n")
+        self.assertEqual(text, "a\nb: dearest 1204, bound 1.54 G.\n")
+        self.assertEqual(len(faults), 2, faults)
+        self.assertIn("a.md:2: says 1.40, measured is 1.54", faults[0])
+        self.assertIn("a.md:2: says 1191, measured is 1204", faults[1])
+
+    def test_accepts_a_percent_and_the_last_digit(self):
+        self.assertEqual(self.faults("dearest 1193, bound 1.5 G")[1], [])
+
+    def test_refuses_a_document_that_says_no_more_such_thing(self):
+        self.expect_one(self.faults("dearest of all")[1], "a.md", "says no more")
 
 
 class Promises(Sample):
