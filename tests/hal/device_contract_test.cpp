@@ -209,12 +209,15 @@ double best_ms_to_zero(Bench& bench, test::Trouble trouble) {
     if (!ticker.tick_until(kForce, [&] { return size(bench.felt()) > 1; })) continue;
     const auto start = std::chrono::steady_clock::now();
     bench.trouble(trouble);
-    while (size(bench.felt()) > 0) {
+    std::chrono::duration<double, std::milli> past{};
+    while (past.count() <= 500) {
+      const bool felt = size(bench.felt()) > 0;
+      past = std::chrono::steady_clock::now() - start;
+      if (!felt) {
+        best = std::min(best, past.count());
+        break;
+      }
       ticker.tick(kForce);
-      const std::chrono::duration<double, std::milli> past =
-          std::chrono::steady_clock::now() - start;
-      if (past.count() > 500) break;
-      best = std::min(best, size(bench.felt()) > 0 ? best : past.count());
     }
   }
   bench.trouble(test::Trouble::kNone);
