@@ -13,15 +13,6 @@ import shlex
 import subprocess
 import sys
 
-# Files that take longer, and why nothing here changes that.
-SLOW = {
-    "implicit_mesh.cpp": "CGAL's volume mesher: 10 of 30 s read its headers, so each of several "
-                         "units would take that again",
-    "wrap.cpp": "CGAL's alpha wrap, one function: 8 of 30 s read its headers, likewise; in "
-                "three units the largest would take about 20 s, all together 52",
-}
-
-
 def logged(build):
     """Seconds that each object file took when it was last made."""
     took = {}
@@ -56,8 +47,7 @@ def processor_s(build, command):
 
 def faults(build, bar_s):
     for output, seconds in sorted(logged(build).items()):
-        source = pathlib.Path(output).stem  # name.cpp of name.cpp.o
-        command = command_of(build, output) if seconds > bar_s and source not in SLOW else []
+        command = command_of(build, output) if seconds > bar_s else []
         if command:
             taken = processor_s(build, command)
             print(f"{output}: {taken:.1f} s", flush=True)

@@ -2,28 +2,20 @@
 // CGAL's surfaces and their conversion. Only for the few files that call CGAL: it compiles slowly.
 #pragma once
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
-#include "base/geometry.h"
+#include "meshes/cgal_soup.h"
 
 namespace stylet::offline {
 
-using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CgalSurface = CGAL::Surface_mesh<CgalKernel::Point_3>;
-
-inline std::vector<CgalKernel::Point_3> cgal_points(const Mesh& mesh) {
-  std::vector<CgalKernel::Point_3> points;
-  for (const Vec& p : mesh.points) points.emplace_back(p.x, p.y, p.z);
-  return points;
-}
+using CgalSurface = CGAL::Surface_mesh<CgalPoint>;
 
 inline Mesh mesh_of(const CgalSurface& surface) {
   Mesh mesh;
   std::vector<std::uint32_t> number(surface.num_vertices());
   for (const auto vertex : surface.vertices()) {
     number[vertex.idx()] = static_cast<std::uint32_t>(mesh.points.size());
-    const CgalKernel::Point_3& p = surface.point(vertex);
+    const CgalPoint& p = surface.point(vertex);
     mesh.points.push_back({p.x(), p.y(), p.z()});
   }
   for (const auto face : surface.faces()) {

@@ -4,23 +4,61 @@
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_3/Mesher_3.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_facet_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
 
+#include <optional>
 #include <random>
 
-#include "meshes/cgal_surface.h"
+#include "meshes/exact_geometry.h"
 
 namespace stylet::offline {
 namespace {
 
 using Kernel = CgalKernel;
 using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
-using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
+
+// CGAL's, with exact duals behind calls, too.
+struct Triangulation : CGAL::Mesh_triangulation_3<Domain, MeshGeometry>::type {
+  void dual_segment_exact(const Facet& facet, Bare_point& from, Bare_point& to) const {
+    from = exact_centre(*facet.first);
+    to = exact_centre(*facet.first->neighbor(facet.second));
+  }
+  void dual_ray_exact(const Facet& facet, CgalKernel::Ray_3& ray) const {
+    const auto [cell, last] = is_infinite(facet.first) ? mirror_facet(facet) : facet;
+    std::array<int, 3> others{(last + 1) % 4, (last + 2) % 4, (last + 3) % 4};
+    if (last % 2 == 1) std::swap(others[0], others[1]);
+    ray = exact_dual_ray(cell->vertex(others[0])->point(), cell->vertex(others[1])->point(),
+                         cell->vertex(others[2])->point(), cell->vertex(last)->point());
+  }
+  static Bare_point exact_centre(const Cell& cell) {
+    return MeshGeometry::Construct_weighted_circumcenter_3()(
+        cell.vertex(0)->point(), cell.vertex(1)->point(), cell.vertex(2)->point(),
+        cell.vertex(3)->point(), true);
+  }
+};
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
-using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
+
+// Nothing is asked of the tetrahedra: only their surface is used.
+struct CellCriteria {
+  using Cell_quality = double;
+  using Is_cell_bad = std::optional<Cell_quality>;
+  Is_cell_bad operator()(const Triangulation& /*all*/, Triangulation::Cell_handle /*cell*/) const {
+    return {};
+  }
+};
+
+// The mesher keeps references to both criteria.
+struct Criteria {
+  using Facet_criteria = CGAL::Mesh_facet_criteria_3<Triangulation>;
+  using Cell_criteria = CellCriteria;
+  const Facet_criteria& facet_criteria_object() const { return facets; }
+  const Cell_criteria& cell_criteria_object() const { return cells; }
+  Facet_criteria facets;
+  Cell_criteria cells = {};
+};
+
 // What refine_mesh_3 calls first. That function also compiles four optimizers of tetrahedra, which
 // it is told not to use here: 14 s of 43 s of processor time, and 1.2 GB.
 using Mesher = CGAL::Mesh_3::Mesher_3<Complex, Criteria, Domain>;
@@ -48,6 +86,13 @@ void start_mesh(const Domain& domain, const Kernel::Point_3& inside, double reac
 }
 
 }  // namespace
+}  // namespace stylet::offline
+
+// Files for whoever debugs the mesher, which ours is given no name for.
+template <>
+void CGAL::dump_c3t3(const stylet::offline::Complex& /*complex*/, std::string /*name*/) {}
+
+namespace stylet::offline {
 
 Mesh implicit_mesh(const Implicit& implicit, Vec inside, double reach, double facet,
                    double tolerance) {
@@ -60,16 +105,14 @@ Mesh implicit_mesh(const Implicit& implicit, Vec inside, double reach, double fa
   };
   const Domain domain =
       Domain::create_implicit_mesh_domain(function, bound, parameters::relative_error_bound = 1e-7);
-  const Criteria criteria(parameters::facet_angle = kSmallestAngleDegrees,
-                          parameters::facet_size = facet * 0.7,
-                          parameters::facet_distance = tolerance);
+  const Criteria criteria{{kSmallestAngleDegrees, facet * 0.7, tolerance}};
   Complex complex;
   start_mesh(domain, middle, reach, complex);
   Mesher(complex, domain, criteria).refine_mesh();
-  CgalSurface surface;
-  CGAL::facets_in_complex_3_to_triangle_mesh(complex, surface);
-  CGAL::Polygon_mesh_processing::orient(surface);
-  return mesh_of(surface);
+  SoupPoints points;
+  SoupTriangles triangles;
+  CGAL::Mesh_3::internal::facets_in_complex_3_to_triangle_soup(complex, points, triangles);
+  return outward_surface(points, triangles);
 }
 
 }  // namespace stylet::offline

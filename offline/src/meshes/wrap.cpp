@@ -1,15 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/wrap.h"
 
-#include <CGAL/alpha_wrap_3.h>
+#include <CGAL/Alpha_wrap_3/internal/Alpha_wrap_3.h>
 
-#include "meshes/cgal_surface.h"
+#include "meshes/soup_oracle.h"
+#include "meshes/soup_surface.h"
+
+namespace stylet::offline {
+namespace {
+
+using Wrapper = CGAL::Alpha_wraps_3::internal::Alpha_wrap_3<SoupOracle>;
+
+}  // namespace
+}  // namespace stylet::offline
+
+// Only for wraps that are told to leave out the pass that makes them manifold, which ours are not.
+template <>
+template <>
+void stylet::offline::Wrapper::extract_possibly_non_manifold_surface(
+    stylet::offline::CgalSurface& /*surface*/, stylet::offline::SurfacePoints /*points*/) const {
+  CGAL_error();
+}
 
 namespace stylet::offline {
 
+// CGAL::alpha_wrap_3 of points and triangles.
 Mesh alpha_wrap(const Mesh& mesh, double gap, double offset) {
+  const SoupOracle oracle(mesh, gap);
+  Wrapper wrap(oracle);
   CgalSurface wrapped;
-  CGAL::alpha_wrap_3(cgal_points(mesh), mesh.triangles, gap, offset, wrapped);
+  wrap(gap, offset, wrapped);
   return mesh_of(wrapped);
 }
 
