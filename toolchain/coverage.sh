@@ -28,7 +28,7 @@ case $subject in
     programs=(
       stylet-organ fuzz_label fuzz_mesh fuzz_recipe fuzz_tissues
       offline_reader_test offline_solid_test offline_nesting_test offline_organ_test
-      offline_wrap_test
+      offline_wrap_test offline_exact_test
       offline_damage_test offline_hull_test offline_label_format_test offline_label_test
       offline_losses_test offline_program_test offline_quality_test
     )

@@ -144,7 +144,7 @@ OFFLINE = {
                     [ORGANS, ["offline_solid_test"],
                      ["offline_program_test", "--gtest_filter=Program.Phantoms*"]]),
     **dict.fromkeys(("meshes/exact_geometry", "meshes/soup_surface"),
-                    [ORGANS, ["offline_solid_test"], ["offline_wrap_test"],
+                    [["offline_exact_test"], ORGANS, ["offline_solid_test"], ["offline_wrap_test"],
                      ["offline_program_test", "--gtest_filter=Program.Phantoms*"]]),
     "base/outputs": [["offline_program_test", "--gtest_filter=Outputs.*:Program.Outputs*"],
                 ["outputs_test.py"]],

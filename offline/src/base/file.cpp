@@ -65,9 +65,9 @@ std::string hex_of(std::span<const std::uint8_t> bytes) {
 std::string sha256_hex(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw std::runtime_error("SHA-256 is not available in libcrypto");
-  }
+  const int made =
+      EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  if (made != 1) throw std::runtime_error("SHA-256 is not available in libcrypto");
   return hex_of({digest.data(), size});
 }
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <random>
 
-#include "meshes/exact_geometry.h"
+#include "meshes/exact_duals.h"
 
 namespace stylet::offline {
 namespace {
@@ -19,25 +19,7 @@ namespace {
 using Kernel = CgalKernel;
 using Domain = CGAL::Labeled_mesh_domain_3<Kernel>;
 
-// CGAL's, with exact duals behind calls, too.
-struct Triangulation : CGAL::Mesh_triangulation_3<Domain, MeshGeometry>::type {
-  void dual_segment_exact(const Facet& facet, Bare_point& from, Bare_point& to) const {
-    from = exact_centre(*facet.first);
-    to = exact_centre(*facet.first->neighbor(facet.second));
-  }
-  void dual_ray_exact(const Facet& facet, CgalKernel::Ray_3& ray) const {
-    const auto [cell, last] = is_infinite(facet.first) ? mirror_facet(facet) : facet;
-    std::array<int, 3> others{(last + 1) % 4, (last + 2) % 4, (last + 3) % 4};
-    if (last % 2 == 1) std::swap(others[0], others[1]);
-    ray = exact_dual_ray(cell->vertex(others[0])->point(), cell->vertex(others[1])->point(),
-                         cell->vertex(others[2])->point(), cell->vertex(last)->point());
-  }
-  static Bare_point exact_centre(const Cell& cell) {
-    return MeshGeometry::Construct_weighted_circumcenter_3()(
-        cell.vertex(0)->point(), cell.vertex(1)->point(), cell.vertex(2)->point(),
-        cell.vertex(3)->point(), true);
-  }
-};
+using Triangulation = ExactDuals<CGAL::Mesh_triangulation_3<Domain, MeshGeometry>::type>;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 
 // Nothing is asked of the tetrahedra: only their surface is used.

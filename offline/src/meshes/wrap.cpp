@@ -15,12 +15,12 @@ using Wrapper = CGAL::Alpha_wraps_3::internal::Alpha_wrap_3<SoupOracle>;
 }  // namespace stylet::offline
 
 // Only for wraps that are told to leave out the pass that makes them manifold, which ours are not.
+// clang-format off
 template <>
 template <>
 void stylet::offline::Wrapper::extract_possibly_non_manifold_surface(
-    stylet::offline::CgalSurface& /*surface*/, stylet::offline::SurfacePoints /*points*/) const {
-  CGAL_error();
-}
+    stylet::offline::CgalSurface&, stylet::offline::SurfacePoints) const { CGAL_error(); }
+// clang-format on
 
 namespace stylet::offline {
 

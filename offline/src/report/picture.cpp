@@ -276,10 +276,9 @@ std::string png_bytes(const Canvas& canvas) {
   image.format = PNG_FORMAT_RGB;
   png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string text(bytes, '\0');
-  if (png_image_write_to_memory(&image, text.data(), &bytes, 0, canvas.rgb.data(), 0, nullptr) ==
-      0) {
-    throw std::runtime_error(fmt::format("a picture cannot be written: {}", image.message));
-  }
+  const int made =
+      png_image_write_to_memory(&image, text.data(), &bytes, 0, canvas.rgb.data(), 0, nullptr);
+  if (made == 0) throw std::runtime_error(fmt::format("no picture is written: {}", image.message));
   text.resize(bytes);
   return text;
 }

@@ -9,9 +9,8 @@ namespace {
 
 double state_bytes(const Organ& organ) {
   Sizes bytes{};
-  if (sizes(organ, Config{}, bytes) != Status::kOk) {
-    throw TooFine("the lattice is too large for the kernel: expected a larger voxel edge");
-  }
+  const bool fits = sizes(organ, Config{}, bytes) == Status::kOk;
+  if (!fits) throw TooFine("the lattice is too large for the kernel: expected a larger voxel edge");
   return static_cast<double>(bytes.state_bytes);
 }
 
