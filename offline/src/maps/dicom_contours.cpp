@@ -259,19 +259,8 @@ std::size_t voxels_of(const Layers& layers, const Slabs& slabs, const std::vecto
 
 void put_runs(Stack& stack, const Layers& layers, const Slabs& slabs, std::uint16_t label,
               const std::vector<Run>& runs) {
-  std::vector<std::uint16_t> pixels(std::size_t{stack.grid.columns} * stack.grid.rows, 0);
-  for (std::size_t i = 0; i < runs.size();) {
-    const std::size_t first = i;
-    const auto mark = [&](std::uint16_t value) {
-      for (i = first; i < runs.size() && runs[i].plane == runs[first].plane; ++i) {
-        const auto row =
-            pixels.begin() + static_cast<std::ptrdiff_t>(runs[i].row * stack.grid.columns);
-        std::fill(row + runs[i].first, row + runs[i].end, value);
-      }
-    };
-    mark(label);
-    put_layers(stack, span_of(layers, slabs.at(runs[first].plane)), pixels);
-    mark(0);
+  for (const Run& run : runs) {
+    put_run(stack, span_of(layers, slabs.at(run.plane)), run.row, run.first, run.end, label);
   }
 }
 

@@ -365,28 +365,44 @@ Stack sparse_stack(const std::string& path, const PixelGrid& grid, const std::ve
   return even_stack(f, step_m, std::move(notes));
 }
 
-void put_layers(Stack& stack, Span layers, const std::vector<std::uint16_t>& pixels) {
+namespace {
+
+// Where a row of pixels begins in a layer of the map.
+std::size_t row_in_map(const Stack& stack, std::uint32_t layer, std::size_t row) {
   const auto& size = stack.map.size;
-  const std::size_t columns = stack.grid.columns;
+  const auto [right, down] = stack.shift[layer];
+  return (std::size_t{layer} * size[1] + row + static_cast<std::size_t>(down)) * size[0] +
+         static_cast<std::size_t>(right);
+}
+
+void put_pixel(Stack& stack, std::size_t at, std::uint16_t label) {
+  std::uint16_t& has = stack.map.label[at];
+  if (label == 0 || has == label) return;
+  stack.claimed_twice += has != 0 ? 1 : 0;
+  has = label;
+}
+
+}  // namespace
+
+void put_run(Stack& stack, Span layers, std::size_t row, std::uint32_t first, std::uint32_t end,
+             std::uint16_t label) {
   for (std::uint32_t layer = layers.first; layer < layers.end; ++layer) {
-    const auto [right, down] = stack.shift[layer];
-    for (std::size_t row = 0; row < stack.grid.rows; ++row) {
-      const std::size_t to =
-          (std::size_t{layer} * size[1] + row + static_cast<std::size_t>(down)) * size[0] +
-          static_cast<std::size_t>(right);
-      for (std::size_t column = 0; column < columns; ++column) {
-        const std::uint16_t label = pixels[row * columns + column];
-        std::uint16_t& has = stack.map.label[to + column];
-        if (label == 0 || has == label) continue;
-        stack.claimed_twice += has != 0 ? 1 : 0;
-        has = label;
-      }
-    }
+    const std::size_t to = row_in_map(stack, layer, row);
+    for (std::uint32_t column = first; column < end; ++column) put_pixel(stack, to + column, label);
   }
 }
 
 void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>& pixels) {
-  put_layers(stack, stack.spans[plane], pixels);
+  const std::size_t columns = stack.grid.columns;
+  const Span layers = stack.spans[plane];
+  for (std::uint32_t layer = layers.first; layer < layers.end; ++layer) {
+    for (std::size_t row = 0; row < stack.grid.rows; ++row) {
+      const std::size_t to = row_in_map(stack, layer, row);
+      for (std::size_t column = 0; column < columns; ++column) {
+        put_pixel(stack, to + column, pixels[row * columns + column]);
+      }
+    }
+  }
 }
 
 }  // namespace stylet::offline

@@ -66,8 +66,10 @@ double layer_step_m(const PixelGrid& grid, double height_m, double finest_m);
 void require_filled(const std::string& path, const PixelGrid& grid, std::size_t planes,
                     double height_m, double step_m);
 
-// Puts the labels of a plane's pixels, row after row; 0 changes nothing, a label replaces another.
-void put_layers(Stack& stack, Span layers, const std::vector<std::uint16_t>& pixels);
+// Puts a label in columns [first, end) of a row of pixels; it replaces another.
+void put_run(Stack& stack, Span layers, std::size_t row, std::uint32_t first, std::uint32_t end,
+             std::uint16_t label);
+// Puts the labels of a plane's pixels, row after row; 0 changes nothing.
 void put_plane(Stack& stack, std::size_t plane, const std::vector<std::uint16_t>& pixels);
 
 }  // namespace stylet::offline
