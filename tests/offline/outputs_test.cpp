@@ -112,7 +112,7 @@ TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
       const bool gone = engine() % 4 == 0;  // the last one's bytes: somebody has cleaned up
       for (const auto& each : std::filesystem::directory_iterator(scratch.folder)) {
         const std::string name = each.path().filename().string();
-        if (gone && name.starts_with(std::to_string(count - 1) + ".part-")) {
+        if (gone && name.starts_with(std::to_string(count - 1) + ".stylet-part-")) {
           std::filesystem::remove(each.path());
         }
       }
@@ -177,14 +177,17 @@ TEST(Outputs, WhatKilledCommandsLeftIsRemovedByTheNext) {
     const std::vector<std::filesystem::path> all = {scratch.folder / "a", scratch.folder / "b",
                                                     scratch.folder / "a.sha256"};
     std::set<std::string> expected, gone;
-    for (const char* name : {"a", "a.part-", "a.part-12345", "a.part-1234567", "a.part-12-456",
-                             "a.part-123456.new", "xa.part-123456", "a.PART-123456"}) {
+    for (const char* name :
+         {"a", "a.stylet-part-", "a.stylet-part-12345", "a.stylet-part-1234567", "a.part-123456",
+          "a.part-backup", "a.stylet-part-12-456", "a.stylet-part-123456.new",
+          "xa.stylet-part-123456", "a.STYLET-PART-123456"}) {
       scratch.write(name, "mine");
       expected.insert(scratch.folder / name);
     }
-    std::filesystem::create_directory(scratch.folder / "a.part-folder");
-    std::filesystem::create_symlink("a", scratch.folder / "a.part-linked");
-    expected.insert({scratch.folder / "a.part-folder", scratch.folder / "a.part-linked"});
+    std::filesystem::create_directory(scratch.folder / "a.stylet-part-folder");
+    std::filesystem::create_symlink("a", scratch.folder / "a.stylet-part-linked");
+    expected.insert(
+        {scratch.folder / "a.stylet-part-folder", scratch.folder / "a.stylet-part-linked"});
     std::vector<Writer> living;
     for (int i = static_cast<int>(engine() % 6); i >= 0; --i) {
       std::vector<std::filesystem::path> paths;
@@ -201,8 +204,8 @@ TEST(Outputs, WhatKilledCommandsLeftIsRemovedByTheNext) {
       }
     }
     if (engine() % 2 == 0) {
-      scratch.write("a.part-123456.old", "an older a");
-      gone.insert(scratch.folder / "a.part-123456.old");
+      scratch.write("a.stylet-part-123456.old", "an older a");
+      gone.insert(scratch.folder / "a.stylet-part-123456.old");
     }
     offline::Outputs outputs;
     outputs.add(scratch.folder / "a", std::string_view("new"));

@@ -18,7 +18,7 @@
 namespace stylet::offline {
 namespace {
 
-constexpr std::string_view kPart = ".part-", kOlder = ".old";
+constexpr std::string_view kPart = ".stylet-part-", kOlder = ".old";
 constexpr std::size_t kRandomLetters = 6;  // of mkostemp
 
 bool write_all(int file, std::span<const std::byte> bytes) {
