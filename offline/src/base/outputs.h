@@ -5,9 +5,9 @@
 // a directory, a device or another special file. Bytes go to temporaries beside the final names.
 // commit() renames them once all are complete and on the disk; without commit(), or if it fails,
 // every file is as it was, also on file systems that cannot exchange two files. SIGINT, SIGTERM
-// and SIGHUP are held back until then. SIGKILL leaves the temporaries behind, as NAME.stylet-part- and six
-// letters; the next commit() of the same output removes them, but none whose writer still lives.
-// Permissions follow the umask. Failures are refused with one line.
+// and SIGHUP are held back until then. SIGKILL leaves the temporaries behind, as
+// NAME.stylet-part- and six letters; the next commit() of the same output removes them, but none
+// whose writer still lives. Permissions follow the umask. Failures are refused with one line.
 #pragma once
 
 #include <csignal>

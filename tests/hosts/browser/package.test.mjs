@@ -85,6 +85,42 @@ test("what is refused says which field, and what is accepted", () => {
   simulation.free(); // twice is once
 });
 
+test("what is no pose, no snapshot or of another library is refused, and nothing breaks", async () => {
+  const simulation = stylet.simulation(organ, { needles: [{}, {}] });
+  const poses = way(5, 2, 30);
+  simulation.run(poses);
+  const before = simulation.hash(), saved = simulation.snapshot();
+  const odd = [undefined, null, 5, NaN, "x", true, {}, [], [5], [{}], [[5]], [["x"]], () => 1, 7n,
+    new Float64Array(3), [[{ position_m: [0, 0, 0] }]], [[null, null, null]]];
+  for (const value of odd) {
+    for (const call of ["run", "tick", "restore", "set_obstacles", "difference"]) {
+      try {
+        simulation[call](value);
+        assert.ok(["run", "tick"].includes(call) && Array.isArray(value) && value.length === 0,
+          `${call}(${String(value)}) is taken`);
+        simulation.restore(saved);
+      } catch (why) {
+        assert.ok(why instanceof TypeError || why instanceof StyletError, `${call}: ${why}`);
+      }
+      assert.equal(simulation.hash(), before, `${call}(${String(value)})`);
+    }
+    for (const make of ["organ", "simulation", "config", "needle", "obstacle"]) {
+      try {
+        stylet[make](value);
+      } catch (why) {
+        assert.ok(why instanceof TypeError || why instanceof StyletError, `${make}: ${why}`);
+      }
+    }
+  }
+  const other = await load(readFileSync("package/stylet.wasm"));
+  assert.throws(() => other.simulation(organ), TypeError);
+  assert.throws(() => other.simulation(other.organ(bytes)).difference(simulation), TypeError);
+  simulation.run(poses);
+  simulation.restore(saved.buffer); // as messages between workers bring it
+  assert.equal(simulation.hash(), before);
+  simulation.free();
+});
+
 test("by one tick, by many, from a snapshot and in a clone: the same state", () => {
   for (let seed = 1; seed <= 4; ++seed) {
     const needles = 1 + seed % 3, poses = way(seed, needles, 240);

@@ -93,7 +93,7 @@ export class Simulation {
   /** Of the whole state, 16 hexadecimal digits: the same on every machine. */
   hash(): string;
   snapshot(): Uint8Array;
-  restore(snapshot: Uint8Array): void;
+  restore(snapshot: BufferSource): void;
   clone(): Simulation;
   /** Name of the first field of the state that differs from another's; null: none does. */
   difference(other: Simulation): string | null;

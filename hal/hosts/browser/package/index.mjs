@@ -40,6 +40,7 @@ class Memory {
   }
 
   allocate(bytes) {
+    if (!Number.isSafeInteger(bytes) || bytes < 0) throw new TypeError(`room for ${bytes} bytes`);
     const at = this.exports.malloc(Math.max(bytes, 1));
     if (at === 0) throw new StyletError(`no memory for ${bytes} bytes`);
     return at;
@@ -146,6 +147,25 @@ class Memory {
         this.write_one(kind, at + offset + i * size_of(kind), one, `${where}.${name}[${i}]`));
     }
   }
+}
+
+// The bytes of an ArrayBuffer, or of a view of one.
+function bytes_of(value, name) {
+  if (ArrayBuffer.isView(value)) {
+    return new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+  }
+  if (value instanceof ArrayBuffer || (typeof SharedArrayBuffer !== "undefined" &&
+      value instanceof SharedArrayBuffer)) {
+    return new Uint8Array(value);
+  }
+  throw new TypeError(`${name}: expected an ArrayBuffer or a view of one`);
+}
+
+function list_of(value, most, name) {
+  if (!Array.isArray(value) || value.length > most) {
+    throw new TypeError(`${name}: expected an array${most < Infinity ? ` of at most ${most}` : ""}`);
+  }
+  return value;
 }
 
 function number(value, name) {
@@ -281,8 +301,7 @@ export class Stylet {
 
   /** An organ file's bytes; checks structure, values and the sum that the file holds of itself. */
   organ(bytes) {
-    const data = ArrayBuffer.isView(bytes)
-      ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
+    const data = bytes_of(bytes, "organ");
     const { memory, exports } = this;
     const at = memory.allocate(data.length);
     try {
@@ -296,6 +315,11 @@ export class Stylet {
 
   /** A simulation of an organ: `needles` are up to four, `obstacles` up to 16. */
   simulation(organ, { config = {}, needles = [{}], obstacles = [] } = {}) {
+    if (!(organ instanceof Organ) || organ.library !== this) {
+      throw new TypeError("organ: expected one of this library");
+    }
+    list_of(needles, Infinity, "needles");
+    list_of(obstacles, Infinity, "obstacles");
     const made = this.with_struct("stylet_config", "stylet_config_init", config, (c) =>
       this.with_array("stylet_needle", "stylet_needle_init", needles, (n) =>
         this.create((out, why) => this.exports.stylet_simulation_create(organ.handle.at, c, n,
@@ -500,6 +524,7 @@ export class Simulation {
    * those of the last tick. */
   run(ticks, { last = false } = {}) {
     const { library } = this, { memory, exports } = library, n = this.needles;
+    list_of(ticks, Infinity, "ticks").forEach((poses, t) => list_of(poses, n, `tick ${t}`));
     if (ticks.length === 0) return [];
     const input = structs.stylet_input.bytes, output = structs.stylet_output.bytes;
     return memory.with_room(ticks.length * n * (input + output) + 8, (room) => {
@@ -523,6 +548,7 @@ export class Simulation {
   /** Bodies that no needle enters, instead of those given before; before the first tick only. */
   set_obstacles(obstacles) {
     const { library } = this;
+    list_of(obstacles, Infinity, "obstacles");
     library.with_array("stylet_obstacle", "stylet_obstacle_init", obstacles, (at) =>
       library.asked((why) => library.exports.stylet_simulation_set_obstacles(this.handle.at, at,
         obstacles.length, why)));
@@ -600,11 +626,10 @@ export class Simulation {
 
   /** Any bytes that are not a snapshot of this organ, configuration and obstacles are refused. */
   restore(snapshot) {
-    const { library } = this;
-    library.memory.with_room(snapshot.length, (at) => {
-      library.memory.bytes(at, snapshot.length).set(snapshot);
-      library.check(library.exports.stylet_simulation_restore(this.handle.at, at,
-        snapshot.length));
+    const { library } = this, data = bytes_of(snapshot, "snapshot");
+    library.memory.with_room(data.length, (at) => {
+      library.memory.bytes(at, data.length).set(data);
+      library.check(library.exports.stylet_simulation_restore(this.handle.at, at, data.length));
     });
   }
 
@@ -617,6 +642,9 @@ export class Simulation {
   /** Name of the first field of the state that differs from another's; null: none does. */
   difference(other) {
     const { library } = this;
+    if (!(other instanceof Simulation) || other.library !== library) {
+      throw new TypeError("other: expected a simulation of this library");
+    }
     const at = library.exports.stylet_simulation_difference(this.handle.at, other.handle.at, 0);
     return at === 0 ? null : library.memory.text(at);
   }
@@ -628,7 +656,10 @@ export class Simulation {
   #write_inputs(at, poses) {
     const { memory } = this.library, bytes = structs.stylet_input.bytes;
     for (let i = 0; i < this.needles; ++i) {
-      const place = at + i * bytes, pose = poses[i];
+      const place = at + i * bytes, pose = poses[i] ?? null;
+      if (pose !== null && (!pose.position_m || !pose.rotation)) {
+        throw new TypeError(`needle ${i}: expected { position_m, rotation } or null`);
+      }
       memory.view.setUint32(place, bytes, true);
       memory.write("stylet_input", place,
         pose ? { valid: 1, handle: pose } : { valid: 0 }, `input ${i}`);
