@@ -3,11 +3,12 @@
 // hal/record/README.md.
 //
 // Promises: the file appears under its name only when finish() has succeeded. Until then it is
-// `NAME.PROCESS.tmp`, grows every half second, and can be read at any time; a killed process leaves
-// it in that state. (HDF5's single writer, multiple readers; each chunk is written once. Only
-// flushing is not enough: a process killed during a flush leaves a file that cannot be opened.) A
-// damaged, shortened or foreign file is refused with RecordingError: one line with file, place
-// and reason. Never called from the real-time thread. Units: SI. Frame: world.
+// `NAME.PROCESS.tmp` (`NAME.PROCESS-2.tmp` if that is there), grows every half second, and can be
+// read at any time; a killed process leaves it in that state. (HDF5's single writer, multiple
+// readers; each chunk is written once. Only flushing is not enough: a process killed during a flush
+// leaves a file that cannot be opened.) A damaged, shortened or foreign file is refused with
+// RecordingError: one line with file, place and reason. Never called from the real-time thread.
+// Units: SI. Frame: world.
 #pragma once
 
 #include <array>

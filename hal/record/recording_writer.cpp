@@ -88,7 +88,21 @@ hid_t create_file(const std::string& path) {
   H5Pset_obj_track_times(create_list.id, false);
   H5Pset_attr_phase_change(create_list.id, 64, 0);
   H5Pset_libver_bounds(access_list.id, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, create_list.id, access_list.id);
+  return H5Fcreate(path.c_str(), H5F_ACC_EXCL, create_list.id, access_list.id);
+}
+
+// A name beside the recording that nothing has: another process with this number, in a container or
+// before the machine started again, may have left its own.
+std::string temporary_beside(const std::string& path) {
+  constexpr int kMostTried = 1000;
+  std::string name = fmt::format("{}.{}.tmp", path, getpid());
+  std::error_code error;
+  for (int i = 2;
+       i < kMostTried && std::filesystem::exists(std::filesystem::symlink_status(name, error));
+       ++i) {
+    name = fmt::format("{}.{}-{}.tmp", path, getpid(), i);
+  }
+  return name;
 }
 
 // Works on a copy: a file that is closed and opened again could be left half changed.
@@ -107,10 +121,9 @@ bool add_marks(const std::string& whole, const std::string& path, std::span<cons
 RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& info,
                                  OutputName name) {
   prepare_library();
-  const std::string temporary = fmt::format("{}.{}.tmp", path, getpid());
+  const std::string temporary = temporary_beside(path);
   const hid_t id = create_file(temporary);
   if (id < 0) {
-    std::remove(temporary.c_str());
     fail(path, "file", "cannot be created: expected a folder that can be written, and room there");
   }
   file_ = std::make_unique<File>(path, temporary, std::move(name), id, info.config);

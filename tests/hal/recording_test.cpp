@@ -231,6 +231,30 @@ TEST_F(RecordingTest, AFileThatComesMeanwhileStays) {
   EXPECT_EQ(files(), 4U);
 }
 
+// In a container every process has the same few numbers: what a killed one left stays, and so does
+// what a link there leads to.
+TEST_F(RecordingTest, WhatAnotherProcessOfThisNumberLeftStays) {
+  const std::string begin = fmt::format("{}.{}", path(), getpid()), other = path() + ".other";
+  const auto put = [](const std::string& name) { std::ofstream(name) << "precious"; };
+  const auto holds = [](const std::string& name) {
+    std::string text;
+    std::ifstream(name) >> text;
+    return text == "precious";
+  };
+  put(other);
+  put(begin + ".tmp");
+  fs::create_symlink(other, begin + "-2.tmp");
+  fs::create_symlink("nowhere", begin + "-3.tmp");
+  { const RecordingWriter unfinished(path(), some_info()); }
+  RecordingWriter writer(path(), some_info());
+  writer.append(any_records(10));
+  writer.finish(1, 0);
+  EXPECT_TRUE(holds(other) && holds(begin + ".tmp") && holds(begin + "-2.tmp"));
+  EXPECT_TRUE(fs::is_symlink(begin + "-3.tmp"));
+  EXPECT_FALSE(fs::exists(begin + "-4.tmp"));
+  EXPECT_TRUE(fs::is_regular_file(path()));
+}
+
 TEST_F(RecordingTest, UnfinishedLeavesNothing) {
   {
     RecordingWriter writer(path(), some_info());
