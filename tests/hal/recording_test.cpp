@@ -234,7 +234,7 @@ TEST_F(RecordingTest, AFileThatComesMeanwhileStays) {
 // In a container every process has the same few numbers: what a killed one left stays, and so does
 // what a link there leads to.
 TEST_F(RecordingTest, WhatAnotherProcessOfThisNumberLeftStays) {
-  const std::string begin = fmt::format("{}.{}", path(), getpid()), other = path() + ".other";
+  const std::string begin = path() + "." + std::to_string(getpid()), other = path() + ".other";
   const auto put = [](const std::string& name) { std::ofstream(name) << "precious"; };
   const auto holds = [](const std::string& name) {
     std::string text;

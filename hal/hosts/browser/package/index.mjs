@@ -163,7 +163,8 @@ function bytes_of(value, name) {
 
 function list_of(value, most, name) {
   if (!Array.isArray(value) || value.length > most) {
-    throw new TypeError(`${name}: expected an array${most < Infinity ? ` of at most ${most}` : ""}`);
+    const limit = most < Infinity ? ` of at most ${most}` : "";
+    throw new TypeError(`${name}: expected an array${limit}`);
   }
   return value;
 }
