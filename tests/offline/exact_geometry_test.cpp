@@ -20,6 +20,7 @@ using Wholes = std::array<Whole, 3>;
 
 constexpr double kUnit = 0x1p-16;  // of the lattice
 constexpr double kRounding = 0x1p-52;
+constexpr auto kWideRounding = static_cast<long double>(kRounding);
 constexpr int kNear = 200, kFar = 150'000;  // what sums below leave in 128 bits, for 3 and 4 points
 constexpr int kRuns = 2000;
 
@@ -182,13 +183,13 @@ void expect_centre(const CgalPoint& found, const Spots& spots, std::size_t count
   const Sphere sphere = sphere_of(spots, count);
   const long double part = std::fabs(static_cast<long double>(sphere.part));
   const long double way = size(sphere.way) / part;
-  const long double off = kRounding * (sphere.terms + way * sphere.part_terms) / part;
+  const long double off = kWideRounding * (sphere.terms + way * sphere.part_terms) / part;
   for (int k = 0; k < 3; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const auto from = static_cast<long double>(spots[0].at[i]);
     const long double expected =
         from + static_cast<long double>(sphere.way[i]) / static_cast<long double>(2 * sphere.part);
-    const long double rounding = 16 * off + 4 * kRounding * (std::fabs(from) + way);
+    const long double rounding = 16 * off + 4 * kWideRounding * (std::fabs(from) + way);
     const long double most = exact ? std::min(rounding, kLazy * std::fabs(expected)) : rounding;
     EXPECT_NEAR(found[k] / kUnit, static_cast<double>(expected), static_cast<double>(most));
   }

@@ -104,7 +104,8 @@ double number_of_bytes(const std::string& where, const DcmTagKey& tag, std::size
   Uint32 long_count = 0;
   Sint32 long_whole = 0;
   if (element.getFloat64(number, place).good()) return finite(where, tag, number);
-  if (element.getFloat32(single, place).good()) return finite(where, tag, single);
+  if (element.getFloat32(single, place).good())
+    return finite(where, tag, static_cast<double>(single));
   if (element.getUint16(count, place).good()) return count;
   if (element.getSint16(whole, place).good()) return whole;
   if (element.getUint32(long_count, place).good()) return long_count;
