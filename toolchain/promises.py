@@ -33,7 +33,7 @@ ROWS = [
     ("memory used is memory predicted, to the byte, as committed for 14 bodies", r"rt_memory\..*",
      None),
     ("same bits for gcc and clang, -O0 to -O3, SSE2, AVX2, AVX-512", r"rt\.determinism",
-     (r"()9 series, last hash (\w+)\s*$", "{}last hash {}")),
+     (r"()\d+ series, last hash (\w+)\s*$", "{}last hash {}")),
     ("same bits with LTO, sanitizers, and for newer processors", r"rt\.determinism_all", None),
     ("same bits on 32-bit x86, 64-bit ARM, bare Cortex-M7, WebAssembly",
      r"cross\.(i686|aarch64|cortex_m7|wasm)", None),
