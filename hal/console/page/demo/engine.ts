@@ -88,8 +88,13 @@ let session: Session|null = null;
 
 // Calls back as soon as the messages that wait were heard.
 const channel = new MessageChannel();
-let waiting: () => void = () => undefined;
-channel.port1.onmessage = () => waiting();
+const kNothing = () => undefined;
+let waiting: () => void = kNothing;
+channel.port1.onmessage = () => {
+  const work = waiting;
+  waiting = kNothing;  // once: the message of a session that has ended must not wake the next twice
+  work();
+};
 function wake(work: () => void): void {
   waiting = work;
   channel.port2.postMessage(null);
