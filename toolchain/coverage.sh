@@ -32,7 +32,7 @@ case $subject in
       offline_damage_test offline_hull_test offline_label_format_test offline_label_test
       offline_losses_test offline_program_test offline_quality_test
     )
-    scripts=(dicom dicom_conformance dicom_objects label_frame outputs every_file)
+    scripts=(dicom dicom_conformance dicom_numbers dicom_objects label_frame outputs every_file)
     exceptions=$root/toolchain/coverage_exceptions_offline.txt
     ;;
   *) die "'$subject': expected kernel or offline" "For example: toolchain/coverage.sh offline" ;;

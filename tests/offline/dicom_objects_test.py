@@ -580,7 +580,7 @@ class StructureSets(Conformance):
                        said=["Liver: 4 contours are there twice: each was taken once"])
 
         def mirrored(folder, random):  # the same outline, area and middle, and yet another
-            drawn = Drawn(random)
+            drawn = Drawn(random, frame=numpy.eye(3))
             one = numpy.array([[0, 0], [20, 0], [20, 12], [30, 12], [30, 20], [10, 20], [10, 8],
                                [0, 8]], float)
             box = lambda a, b, c, d: numpy.array([[a, c], [b, c], [b, d], [a, d]], float)
@@ -798,10 +798,12 @@ class StructureSets(Conformance):
         def numbered_from_0(folder, random):
             drawn = Drawn(random)
             liver, other = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
-            structures = [(0, "a", drawn.contours(liver)), (1, "b", drawn.contours(other))]
-            path = dicom.write_structures(folder / "rt.dcm", structures)
-            self.check(path, {1: drawn.held(liver), 2: drawn.held(other)}, NEAR,
-                       said=["ROINumber 0 cannot be a label", "numbered in their"])
+            for numbers in (0, 7), (7, 0):  # the first that cannot be one is named
+                structures = [(numbers[0], "a", drawn.contours(liver)),
+                              (numbers[1], "b", drawn.contours(other))]
+                path = dicom.write_structures(folder / "rt.dcm", structures)
+                self.check(path, {1: drawn.held(liver), 2: drawn.held(other)}, NEAR,
+                           said=["ROINumber 0 cannot be a label", "numbered in their"])
 
         def numbered_too_high(folder, random):
             drawn = Drawn(random)
