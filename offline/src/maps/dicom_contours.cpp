@@ -285,6 +285,19 @@ void tell_holes(const DicomFile& file, const Layers& layers, const Slabs& slabs,
                   file.path, structure.name, holes, layers.step_m * 1e3));
 }
 
+// Notes a structure with planes so far apart that what lies between them is a guess.
+void tell_thick(const DicomFile& file, const Slabs& slabs, const Structure& structure,
+                std::vector<std::string>& notes) {
+  constexpr double kUsualM = 0.02;  // scanners' slices are at most half as thick
+  double most_m = 0;
+  for (const auto& [plane, slab] : slabs) most_m = std::max(most_m, slab.high_m - slab.low_m);
+  if (most_m <= kUsualM) return;
+  notes.push_back(
+      fmt::format("{}: {}: one contour stands for {:.4g} mm across its planes: expected "
+                  "contours at most {:.4g} mm apart",
+                  file.path, structure.name, most_m * 1e3, kUsualM * 1e3));
+}
+
 // Notes planes in which all contours together hold no pixel: outlined twice, or too small.
 void tell_unheld(const DicomFile& file, const Structure& structure, const std::vector<Run>& runs,
                  std::vector<std::string>& notes) {
@@ -356,6 +369,7 @@ LabelMap read_dicom_contours(const DicomFile& file, const std::vector<FramePlace
     std::vector<Run> runs = runs_of(raster, low, structures[i].contours);
     const std::size_t voxels = voxels_of(layers, slabs[i], runs);
     tell_holes(file, layers, slabs[i], structures[i], notes);
+    tell_thick(file, slabs[i], structures[i], notes);
     tell_unheld(file, structures[i], runs, notes);
     filled.push_back({i, std::move(runs), voxels});
     stack.map.names[structures[i].label] = structures[i].name;
