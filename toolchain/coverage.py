@@ -65,10 +65,11 @@ def read_exceptions(path):
     for number, row in enumerate(path.read_text().splitlines(), 1):
         if not row or row.startswith("#"):
             continue
-        parts = [each.strip() for each in row.split(" | ")]
-        if len(parts) != 3 or not all(parts):
+        file, _, rest = row.partition(" | ")
+        code, _, reason = rest.rpartition(" | ")  # code may have a bar of its own
+        if not (file.strip() and code.strip() and reason.strip()):
             sys.exit(f"{path}:{number}: expected FILE | CODE | REASON")
-        exceptions[parts[0], parts[1]] = parts[2]
+        exceptions[file.strip(), code.strip()] = reason.strip()
     return exceptions
 
 

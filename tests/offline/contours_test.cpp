@@ -93,10 +93,10 @@ class Contours : public ::testing::Test {
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(draw.below(points.size()));
     std::rotate(points.begin(), begin, points.end());
     if (draw.below(2) == 0) std::reverse(points.begin(), points.end());
-    for (std::size_t i = draw.below(3); i > 0; --i) points.insert(points.begin(), points.front());
     for (Vec& point : points) {
       point = point + Vec{draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1)} * 1e-6;
     }
+    for (std::size_t i = draw.below(3); i > 0; --i) points.insert(points.begin(), points.front());
     return contour;
   }
 };

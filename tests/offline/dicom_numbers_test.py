@@ -36,6 +36,22 @@ def put_text(item, name, text, vr=None):
     item[tag] = RawDataElement(tag, vr, len(data), data, 0, False, True)
 
 
+def put_binary(item, name, vr, kind, values):
+    data = numpy.array(values, dtype=kind).tobytes()
+    tag = pydicom.tag.Tag(pydicom.datadict.tag_for_keyword(name))
+    item[tag] = RawDataElement(tag, vr, len(data), data, 0, False, True)
+
+
+def blank_out(path, name, text):
+    """Overwrites a value with blanks in the finished file: pydicom would write none."""
+    tag = pydicom.datadict.tag_for_keyword(name)
+    head = numpy.array([tag >> 16, tag & 0xFFFF], "<u2").tobytes()
+    head += pydicom.datadict.dictionary_VR(tag).encode() + numpy.array(len(text), "<u2").tobytes()
+    data = path.read_bytes()
+    assert data.count(head + text.encode()) == 1, name
+    path.write_bytes(data.replace(head + text.encode(), head + b" " * len(text)))
+
+
 def changed_text(item, name, change, random):
     """Changes one of the values of an attribute, any of them; its place and new text."""
     values = item.data_element(name).value
@@ -177,6 +193,19 @@ class Numbers(Conformance):
                     written(folder / f"{name} {i}", random, name, text)
                 written(folder / f"spacing {i}", random, "PixelSpacing", text, "expected two")
 
+        def blanks(folder, random):
+            def change(file, _):
+                file.RescaleSlope, file.RescaleIntercept = "1.00", "0.00"
+            slices = stack(random, distances=[2.0] * 15)
+            path = write_slices(folder, slices, random, change=change)
+            for each in path.glob("*.dcm"):
+                blank_out(each, "RescaleSlope", "1.00")
+                blank_out(each, "RescaleIntercept", "0.00")
+            self.check(path, held(slices))
+
+        def too_many(folder, random):
+            written(folder, random, "NumberOfFrames", "99999999999", "expected 1 to 2147483647")
+
         def half(folder, random):  # of what has whole numbers
             written(folder / "half", random, "NumberOfFrames", "1.5", "1.5: expected a whole")
 
@@ -195,7 +224,7 @@ class Numbers(Conformance):
             self.refused(write_slices(folder / "bytes", stack(random), random, change=change),
                          "RescaleSlope", "OB", "expected a number")
 
-        self.cases(1, empty, further, nothing, half, as_text, as_bytes)
+        self.cases(1, empty, further, nothing, blanks, too_many, half, as_text, as_bytes)
 
     def test_binary_numbers_are_numbers_too(self):
         def binary(folder, random):
@@ -208,12 +237,23 @@ class Numbers(Conformance):
                                        ("SliceThickness", "FD", "<f8")):
                     values = {"RescaleSlope": 1, "RescaleIntercept": 0, "NumberOfFrames": 1}.get(
                         name) or (file.get(name) if name in file else 0)
-                    data = numpy.array(values, dtype=kind).tobytes()
-                    tag = pydicom.tag.Tag(pydicom.datadict.tag_for_keyword(name))
-                    file[tag] = RawDataElement(tag, vr, len(data), data, 0, False, True)
+                    put_binary(file, name, vr, kind, values)
             self.check(write_slices(folder / "series", slices, random, change=change), held(slices))
 
-        self.cases(1, binary)
+        def wrong(folder, random):
+            for i, (name, vr, kind, values, said) in enumerate((
+                    ("RescaleSlope", "FD", "<f8", [numpy.nan], "expected a number"),
+                    ("PixelSpacing", "FD", "<f8", [1, numpy.inf], "expected a number"),
+                    ("SliceThickness", "FL", "<f4", [-numpy.inf], "expected a number"),
+                    ("PixelSpacing", "FD", "<f8", [1.5], "expected two"),
+                    ("Rows", "US", "<u2", [9, 9], "2 values: expected at most 1"),
+                    ("Rows", "SL", "<i4", [-9], "-9: expected 0 to 65535"),
+                    ("Columns", "UL", "<u4", [70000], "70000: expected 0 to 65535"))):
+                path = write_slices(folder / str(i), stack(random), random, change=lambda file, _:
+                                    put_binary(file, name, vr, kind, values))
+                self.refused(path, name, said)
+
+        self.cases(1, binary, wrong)
 
 
 @unittest.skipIf(dicom is None, "pydicom is not installed: apt-get install python3-pydicom")
@@ -322,7 +362,13 @@ class NumbersOfObjects(Conformance):
                              spoil("\\".join(str(v) for v in one.ContourData)))
                 path, _ = self.structures(folder, random, respell)
                 self.refused(path, "ContourData", "is empty: expected a number")
-        self.cases(1, halves, empty)
+
+        def no_points(folder, random):
+            def respell(file):
+                put_text(contour(file, random), "ContourData", "")
+            path, _ = self.structures(folder, random, respell)
+            self.refused(path, "ContourData")
+        self.cases(1, halves, empty, no_points)
 
     def test_spellings_of_contours(self):
         def all_commas(folder, random):  # as an exporter of another country writes them

@@ -135,7 +135,7 @@ std::optional<std::string_view> text_in(DcmElement& element) {
 double number_of(const std::string& where, DcmItem& item, const DcmTagKey& tag,
                  unsigned long place) {
   DcmElement* element = nullptr;
-  if (item.findAndGetElement(tag, element).bad() || element == nullptr) return kNone;
+  if (item.findAndGetElement(tag, element).bad()) return kNone;
   if (element->getLength() == 0) return kNone;
   const std::optional<std::string_view> text = text_in(*element);
   if (text && without_blanks(*text).empty()) return kNone;
@@ -151,7 +151,7 @@ std::vector<double> numbers_of_points(const std::string& where, DcmItem& item,
                                       const DcmTagKey& tag) {
   std::vector<double> numbers;
   DcmElement* element = nullptr;
-  if (item.findAndGetElement(tag, element).bad() || element == nullptr) return numbers;
+  if (item.findAndGetElement(tag, element).bad()) return numbers;
   std::string_view rest = text_in(*element).value_or("");
   if (without_blanks(rest).empty()) return numbers;
   while (true) {
