@@ -358,7 +358,7 @@ class Console {
     const std::string record_error = finish_recording(*attempt_, report, marks_);
     if (!record_error.empty()) fmt::print(stderr, "stylet: {}\n", record_error);
     scored_.recording = std::filesystem::path(report.recording).filename().string();
-    report.resonance = first_resonance(session_->instance->kernel);
+    report.resonance = resonance_of(*session_);
     fmt::print("\nattempt {}\n{}", scored_.attempt, human_text(report));
     std::fflush(stdout);
     trouble_ = tell_of_trouble(*session_, *attempt_) || !record_error.empty() || trouble_;

@@ -11,6 +11,7 @@
 #include <new>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include "hal/app/commands.h"
 #include "hal/app/own_program.h"
@@ -397,6 +398,11 @@ int main(int argc, char** argv) {
         "stylet: not enough memory: expected a smaller organ or a shorter recording, or a higher "
         "limit (ulimit -v)\n",
         stderr);
+  } catch (const std::system_error& error) {
+    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
+    (void)std::fprintf(
+        stderr, "stylet: %s%s\n", error.what(),
+        no_thread ? ": expected memory for one more thread (ulimit -v, ulimit -u)" : "");
   } catch (const std::exception& error) {
     (void)std::fprintf(stderr, "stylet: %s\n", error.what());
   } catch (...) {

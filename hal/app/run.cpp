@@ -111,7 +111,7 @@ int run(const RunOptions& options) {
   const std::string record_error = finish_recording(a, report);
   s.close_devices();
   if (!tell_of_host(s, a.host_fit)) return kExitHostUnfit;
-  report.resonance = first_resonance(s.instance->kernel);
+  report.resonance = resonance_of(s);
   fmt::print("{}", options.json ? json_text(report) : human_text(report));
   if (!record_error.empty()) throw hal::RecordingError(record_error);
   return tell_of_trouble(s, a) ? kExitTrouble : kExitOk;

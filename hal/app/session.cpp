@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "hal/app/opening.h"
@@ -440,6 +442,14 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.used = s.instance->kernel.sizes;
   report.stats = stats(s.instance->kernel);
   return report;
+}
+
+Resonance resonance_of(const Session& s) try {
+  return first_resonance(s.instance->kernel);
+} catch (const std::bad_alloc&) {
+  (void)std::fputs("stylet: the first resonance is not reported: not enough memory\n", stderr);
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  return {kUnknown, kUnknown, kUnknown};
 }
 
 bool tell_of_trouble(const Session& s, const Attempt& a) {

@@ -128,6 +128,9 @@ void watch_processes(Session& session, Attempt* attempt);
 // Tells on standard error what the machine refuses; returns `fit`.
 bool tell_of_host(const Session& session, bool fit);
 RunReport report_of(const Session& session, const Attempt& attempt);
+// The organ's first resonance, for a report. Without memory for it, tells so, and gives numbers
+// that are none: a run that has ended well is still reported.
+Resonance resonance_of(const Session& session);
 // Tells faults, losses and files that a user should know of on standard error; true: any were told.
 bool tell_of_trouble(const Session& session, const Attempt& attempt);
 

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <system_error>
 #include <thread>
 
 #include "hal/base/channel.h"
@@ -341,6 +342,9 @@ int side_seat(const char* role, SideWork work, bool outlives) {
     return 0;
   } catch (const std::bad_alloc&) {
     say_last(memory.bytes(), kOutOfMemory);
+  } catch (const std::system_error& error) {
+    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
+    say_last(memory.bytes(), no_thread ? kOutOfMemory : error.what());
   } catch (const std::exception& error) {
     say_last(memory.bytes(), error.what());
   } catch (...) {

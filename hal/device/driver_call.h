@@ -59,8 +59,9 @@ std::optional<Result> call_driver(std::function<Result()> call,
   return shared->result;
 }
 
-// Closes all of them at the same time; returns which still hang after `longest`. Before that, none
-// has a force (a run ends with a fade, and a closed relay lets no force through).
+// Closes all of them at the same time (kMaxNeedles of them, then as many more); returns which still
+// hang after `longest`. Before that, none has a force (a run ends with a fade, and a closed relay
+// lets no force through). Without memory for threads it closes them one after the other.
 std::vector<std::size_t> close_devices(std::span<const Device> devices,
                                        std::chrono::milliseconds longest = kClosingTime);
 

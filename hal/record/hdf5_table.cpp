@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
+#include <new>
 
 #include "hal/record/recording.h"
 
@@ -57,6 +59,10 @@ void quieten() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 void prepare_library() {
+  // Where memory is short the library crashes while it makes a file's caches, or takes the file for
+  // damaged. It needs 3 MB for ours.
+  constexpr std::size_t kRoom = std::size_t{8} << 20U;
+  ::operator delete(::operator new(kRoom));  // an expression with `new` may be left out
   H5dont_atexit();
   quieten();
 }
@@ -203,8 +209,13 @@ bool Table::transfer(std::size_t c, std::uint64_t first, std::size_t count, bool
   const hid_t type = memory_type(column.type);
   if (H5Sselect_hyperslab(space.id, H5S_SELECT_SET, start, nullptr, size, nullptr) < 0)
     return false;
-  return write ? H5Dwrite(sets_[c].id, type, memory.id, space.id, H5P_DEFAULT, buffer_.data()) >= 0
-               : H5Dread(sets_[c].id, type, memory.id, space.id, H5P_DEFAULT, buffer_.data()) >= 0;
+  // The library does not tell in all of its errors whether memory was short; malloc does.
+  errno = 0;
+  const herr_t done =
+      write ? H5Dwrite(sets_[c].id, type, memory.id, space.id, H5P_DEFAULT, buffer_.data())
+            : H5Dread(sets_[c].id, type, memory.id, space.id, H5P_DEFAULT, buffer_.data());
+  if (done < 0 && errno == ENOMEM) throw std::bad_alloc();
+  return done >= 0;
 }
 
 }  // namespace stylet::hal::hdf5

@@ -162,8 +162,8 @@ void RecordingWriter::append(std::span<const Event> events) {
 
 std::uint64_t RecordingWriter::leave() {
   if (!file_->temporary.empty()) file_->put_down_all();
-  file_->temporary.clear();
   const std::uint64_t kept = ticks_kept();
+  if (kept > 0) file_->temporary.clear();  // else it goes with the file
   file_.reset();
   return kept;
 }

@@ -2,7 +2,9 @@
 #include <CGAL/Image_3.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <map>
+#include <new>
 
 #include "maps/header.h"
 #include "maps/readers.h"
@@ -43,10 +45,14 @@ Image opened(const std::string& path) {
   return Image(_readImageHeader(path.c_str()));
 }
 
+// False: the file ends early or is damaged. CGAL gives no reason; without memory it says the same.
 bool read_voxels(_image& image) {
   const Silence silence;
+  errno = 0;
   const bool whole = _readImageData(&image) > 0;
+  const bool memory_was_short = !whole && errno == ENOMEM;
   ImageIO_close(&image);
+  if (memory_was_short) throw std::bad_alloc();
   return whole;
 }
 
