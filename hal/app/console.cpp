@@ -172,7 +172,7 @@ class Console {
     std::atomic<bool> quit{false};
     const StopOnSignal stop_on_signal(quit);
     open(options_.scene);
-    hal::check_output(options_.record, files_of(*session_));
+    options_.record = hal::checked_output(options_.record, files_of(*session_));
     if (!options_.fast) hal::prepare_process(host_);
     serve();
     while (!quit.load() && host_fit_ && (!page_lost_ || running())) go_on();

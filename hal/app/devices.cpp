@@ -178,7 +178,7 @@ int list_devices(const DevicesOptions& options) {
 }
 
 int probe(const ProbeOptions& options) {
-  hal::check_output(options.output, {});
+  const std::string output = hal::checked_output(options.output, {});
   fmt::print(stderr, "stylet: waiting for {}\n", options.uri);
   std::atomic<bool> stop{false};
   const StopOnSignal stop_on_signal(stop);  // before the device is open
@@ -197,7 +197,7 @@ int probe(const ProbeOptions& options) {
   hal::probe_device(device, options.seconds, pushes, hal::monotonic_clock(), stop, *seen);
   Json record = record_of(options.uri, device.info, *seen);
   if (device.about != nullptr) record["about"] = device.about(device.self);
-  if (!options.output.empty()) hal::write_output(options.output, record.dump(2) + "\n");
+  if (!output.empty()) hal::write_output(output, record.dump(2) + "\n");
   if (options.json) {
     fmt::print("{}\n", record.dump(2));
   } else {

@@ -287,7 +287,7 @@ int plot(const PlotOptions& options) {
     throw std::runtime_error(
         fmt::format("{}: expected a name that ends in .svg or .png", options.output));
   }
-  hal::check_output(options.output, std::array{options.recording});
+  const std::string output = hal::checked_output(options.output, std::array{options.recording});
   const hal::RecordingReader recording(options.recording);
   if (recording.ticks() == 0) {
     throw hal::RecordingError(fmt::format("{}: ticks: 0: nothing to draw", options.recording));
@@ -299,7 +299,7 @@ int plot(const PlotOptions& options) {
   }
   const std::string script =
       script_of(read_curve(recording, options.needle), recording.info(), options.needle, svg);
-  hal::write_output(options.output, gnuplot_picture(script, svg));
+  hal::write_output(output, gnuplot_picture(script, svg));
   fmt::print("{}\n", options.output);
   return kExitOk;
 }

@@ -77,13 +77,13 @@ void announce(const Session& s) {
 }
 
 // A recording cannot be made again, so an existing one stays unless the user says otherwise.
-void name_recording(const RunOptions& options, Attempt& a) {
-  if (options.record.empty()) return;
-  a.recording_name = {options.record, options.force ? hal::Naming::kReplace : hal::Naming::kKeep};
+void name_recording(const RunOptions& options, const std::string& wanted, Attempt& a) {
+  if (wanted.empty()) return;
+  a.recording_name = {wanted, options.force ? hal::Naming::kReplace : hal::Naming::kKeep};
   a.recording = hal::free_name(a.recording_name);
-  if (a.recording != options.record) {
+  if (a.recording != wanted) {
     fmt::print(stderr, "stylet: {} exists and is kept: this recording is {} (--force overwrites)\n",
-               options.record, a.recording);
+               wanted, a.recording);
   }
 }
 
@@ -97,10 +97,10 @@ int run(const RunOptions& options) {
   Attempt& a = *attempt;
   const StopOnSignal stop_on_signal(a.state.stop);  // before the first device is open
   load(s);
-  hal::check_output(options.record, files_of(s));
+  const std::string record = hal::checked_output(options.record, files_of(s));
   open_devices(s);
   if (!options.fast) hal::prepare_process(host);
-  name_recording(options, a);
+  name_recording(options, record, a);
   prepare(s, a, nullptr);
   announce(s);
   start(s, a);

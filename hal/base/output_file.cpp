@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "stylet/output_place.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -49,24 +51,20 @@ bool rename_to_free(const char* from, const char* to) {
 
 }  // namespace
 
-void check_output(const std::string& path, std::span<const std::string> inputs) {
-  namespace fs = std::filesystem;
-  if (path.empty()) return;
+std::string checked_output(const std::string& path, std::span<const std::string> inputs) {
+  if (path.empty()) return path;
+  const OutputPlace place = output_place(path);
+  if (!place.trouble.empty()) {
+    throw std::runtime_error(fmt::format("{}: {}", path, place.trouble));
+  }
   std::error_code error;
-  const fs::file_status now = fs::status(path, error);
-  if (fs::is_directory(now)) {
-    throw std::runtime_error(fmt::format("{}: is a directory: expected the name of a file", path));
-  }
-  if (fs::exists(now) && !fs::is_regular_file(now)) {
-    throw std::runtime_error(
-        fmt::format("{}: is a device or another special file: expected the name of a file", path));
-  }
   for (const std::string& input : inputs) {
-    if (!input.empty() && fs::equivalent(path, input, error) && !error) {
+    if (!input.empty() && std::filesystem::equivalent(place.path, input, error) && !error) {
       throw std::runtime_error(fmt::format(
           "{}: this command reads this file, too: expected another name for what it writes", path));
     }
   }
+  return place.path.string();
 }
 
 std::string free_name(const OutputName& output) {

@@ -10,9 +10,10 @@
 
 namespace stylet::hal {
 
-// Throws std::runtime_error with one line if `path` is a directory, a device or another special
-// file, or one of `inputs`, also by another name or through a link. Empty `path`: nothing to check.
-void check_output(const std::string& path, std::span<const std::string> inputs);
+// Where a file of this name is written: links are followed (output_place.h). Throws
+// std::runtime_error with one line if that is a directory, a device or another special file, or one
+// of `inputs`, also by another name. An empty `path` is returned as it is.
+std::string checked_output(const std::string& path, std::span<const std::string> inputs);
 
 // What becomes of a file that has the wanted name already.
 enum class Naming : std::uint32_t {

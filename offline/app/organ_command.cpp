@@ -86,7 +86,7 @@ std::optional<Machine> chosen_machine(const CommonArguments& a) {
 
 // Refuses at once what would otherwise be refused after minutes of work.
 void check_outputs(const CommonArguments& a) {
-  check_output(a.output);
+  (void)checked_output(a.output);
   if (!a.report.empty()) check_output_folder(a.report);
 }
 

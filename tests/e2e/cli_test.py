@@ -182,6 +182,26 @@ class Recording(Folder):
         call("stylet", "replay", kept)
         self.assertEqual(sorted(self.top.glob("kept*")), [second, kept])
 
+    def test_links_are_followed(self):
+        target = self.top / "far.h5"
+        link = self.top / "link.h5"
+        link.symlink_to(target.name)
+        for more in ([], ["--force"]):
+            call("stylet", "run", SCENE, "--organ", self.organ, "--fast", "--duration-s", "0.1",
+                 "--record", link, *more)
+            self.assertTrue(link.is_symlink() and target.is_file())
+        picture = self.top / "link.svg"
+        picture.symlink_to("far.svg")
+        call("stylet", "plot", link, "-o", picture)
+        self.assertTrue(picture.is_symlink() and (self.top / "far.svg").is_file())
+        with open(self.top / "stdout", "w", encoding="utf-8") as out:
+            done = subprocess.run(
+                [BIN / "stylet", "run", SCENE, "--organ", self.organ, "--fast", "--duration-s",
+                 "0.1", "--force", "--record", "/dev/fd/1"],
+                stdout=out, stderr=subprocess.PIPE, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("/dev/fd/1: is a device", done.stderr)
+
     def test_recordings_of_runs_at_once_are_all_kept(self):
         """Also a file that somebody puts there while a run goes on."""
         wanted = self.top / "busy.h5"

@@ -59,7 +59,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string refusal(const std::string& path, const std::string& input) try {
-  check_output(path, std::array{input});
+  (void)checked_output(path, std::array{input});
   return "";
 } catch (const std::runtime_error& error) {
   return error.what();
@@ -194,6 +194,57 @@ TEST(OutputFile, IsWholeOrNotThereAndFollowsTheUmask) {
   std::ifstream in(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), text);  // the older one stays
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  fs::remove_all(folder);
+}
+
+// A link is followed, and what it leads to is judged; nothing takes the place of the link.
+TEST(OutputFile, LinksAreFollowed) {
+  const fs::path folder = fs::temp_directory_path() / ("stylet-links-" + std::to_string(getpid()));
+  fs::create_directories(folder / "far");
+  const fs::path file = folder / "far" / "file";
+  std::ofstream(file) << "older";
+  fs::create_symlink("far/file", folder / "a");
+  fs::create_symlink(folder / "a", folder / "b");
+  fs::create_symlink("far/new", folder / "dangling");
+  fs::create_symlink("loop", folder / "loop");
+  fs::create_directory_symlink("far", folder / "near");
+  const auto place = [&](const char* name) { return checked_output(folder / name, {}); };
+  for (const char* name : {"a", "b", "near/file"}) {
+    write_output(place(name), name);
+    std::string held;
+    std::ifstream(file) >> held;
+    EXPECT_EQ(held, name);
+  }
+  write_output(place("dangling"), "x");
+  EXPECT_TRUE(fs::is_regular_file(folder / "far" / "new"));
+  for (const char* name : {"a", "b", "dangling", "loop"}) {
+    EXPECT_TRUE(fs::is_symlink(folder / name)) << name;
+  }
+  EXPECT_NE(refusal(folder / "a", file).find("this command reads this file"), std::string::npos);
+  EXPECT_NE(refusal(folder / "loop", "").find("from link to link"), std::string::npos);
+  EXPECT_EQ(place(std::string(220, 'n').c_str()), folder / std::string(220, 'n'));
+  EXPECT_NE(refusal(folder / std::string(221, 'n'), "").find("220 bytes"), std::string::npos);
+  fs::remove_all(folder);
+}
+
+// Names that the system made for what a process has open: to rename a file to one of them would
+// take it from every other program.
+TEST(OutputFile, TheSystemsNamesStay) {
+  const fs::path folder = fs::temp_directory_path() / ("stylet-system-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const int file = ::open((folder / "out").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  ASSERT_GE(file, 0);
+  const std::string own = std::to_string(file);
+  fs::create_symlink("/proc/self/fd/" + own, folder / "link");
+  fs::create_directory_symlink("/dev/fd", folder / "fds");
+  for (const std::string& name : std::vector<std::string>{
+           "/dev/fd/" + own, "/proc/self/fd/" + own, "/dev/stdout", "/dev/../dev/stylet-new",
+           "/sys/stylet-new", (folder / "link").string(), (folder / "fds" / own).string()}) {
+    EXPECT_NE(refusal(name, "").find("is a device"), std::string::npos) << name;
+  }
+  EXPECT_EQ(refusal("/dev/shm/stylet-new", ""), "");
+  EXPECT_EQ(refusal("/devices", ""), "");
+  ::close(file);
   fs::remove_all(folder);
 }
 

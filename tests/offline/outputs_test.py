@@ -144,6 +144,31 @@ class Case(unittest.TestCase):
         for device in ("/dev/full", "/dev/null"):
             self.assertTrue(stat.S_ISCHR(os.stat(device).st_mode))
 
+    def test_names_of_what_is_open_stay(self):
+        """Links of the system, where standard output is a file, too."""
+        names = ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
+        before = [os.readlink(name) for name in names[:1]]
+        with open(self.folder / "out.txt", "w", encoding="utf-8") as out:
+            for name in names:
+                done = subprocess.run([TOOL, "hull", "cube.off", "-o", name], cwd=self.folder,
+                                      stdout=out, stderr=subprocess.PIPE, text=True, timeout=120)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(f"{name}: is a device", done.stderr)
+        self.assertEqual([os.readlink(name) for name in names[:1]], before)
+        self.assertEqual((self.folder / "out.txt").read_bytes(), b"")
+
+    def test_links_are_followed(self):
+        (self.folder / "far").mkdir()
+        for link, target in (("hull", "far/hull.toml"), ("organ", "far/a.organ")):
+            os.symlink(target, self.folder / link)
+            for _ in range(2):  # a link that leads to nothing yet, and to a file
+                command = ["hull", "cube.off"] if link == "hull" else ["phantom", "block"]
+                self.assertEqual(self.run_tool(*command, "-o", link).returncode, 0)
+                self.assertEqual(os.readlink(self.folder / link), target)
+                self.assertTrue((self.folder / target).is_file())
+        self.assertEqual({path.name for path in (self.folder / "far").iterdir()},
+                         {"hull.toml", "a.organ"})
+
     def test_a_full_disk_leaves_what_was_there(self):
         counted_nowhere = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}  # by coverage.sh
         def no_room(most):

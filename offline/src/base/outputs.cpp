@@ -14,6 +14,7 @@
 
 #include "base/file.h"
 #include "base/refusal.h"
+#include "stylet/output_place.h"
 
 namespace stylet::offline {
 namespace {
@@ -33,7 +34,10 @@ bool write_all(int file, std::span<const std::byte> bytes) {
 
 // One path for all names of a file, also if the file does not exist yet.
 std::filesystem::path place_of(const std::filesystem::path& path) {
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  std::error_code error;
+  const auto whole = std::filesystem::absolute(path, error);
+  const auto place = std::filesystem::weakly_canonical(whole, error);
+  return error ? whole : place;
 }
 
 // mkstemp lets only the owner read the file; the umask shall decide what others may do.
@@ -92,19 +96,14 @@ void remove_leftovers(const std::filesystem::path& path, std::vector<std::string
 
 }  // namespace
 
-void check_output(const std::filesystem::path& path) {
-  struct stat now {};
-  if (::stat(path.c_str(), &now) != 0) return;
-  if (S_ISDIR(now.st_mode)) {
-    refuse("{}: is a directory: expected the name of a file", path.string());
-  }
-  if (!S_ISREG(now.st_mode)) {
-    refuse("{}: is a device or another special file: expected the name of a file", path.string());
-  }
-  if (was_read(path)) {
+std::filesystem::path checked_output(const std::filesystem::path& path) {
+  const OutputPlace place = output_place(path);
+  if (!place.trouble.empty()) refuse("{}: {}", path.string(), place.trouble);
+  if (was_read(place.path)) {
     refuse("{}: this command reads this file, too: expected another name for what it writes",
            path.string());
   }
+  return place.path;
 }
 
 void check_output_folder(const std::filesystem::path& path) {
@@ -143,18 +142,18 @@ void Outputs::release_signals() {
 }
 
 void Outputs::add(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  check_output(path);
+  const std::filesystem::path target = checked_output(path);
   hold_signals();
-  const auto place = place_of(path);
+  const auto place = place_of(target);
   for (const File& other : files_) {
     if (place_of(other.path) == place) {
       refuse("{}: would be written twice by this command: expected another name", path.string());
     }
   }
   std::string temporary;
-  const int file = open_temporary(path, temporary);
+  const int file = open_temporary(target, temporary);
   if (file < 0) refuse("{}: cannot be written: {}", path.string(), std::strerror(errno));
-  files_.push_back({path, temporary, file});
+  files_.push_back({target, temporary, file});
   if (follow_umask(file) && write_all(file, bytes)) return;
   refuse("{}: cannot be written: {}", path.string(), std::strerror(errno));
 }

@@ -20,8 +20,9 @@
 
 namespace stylet::offline {
 
-// Refuses a path that cannot be an output, so that the user learns it before the long work begins.
-void check_output(const std::filesystem::path& path);
+// Where an output of this name is written: links are followed (output_place.h). Refuses a path that
+// cannot be an output, so that the user learns it before the long work begins.
+std::filesystem::path checked_output(const std::filesystem::path& path);
 void check_output_folder(const std::filesystem::path& path);
 
 class Outputs {
