@@ -136,9 +136,8 @@ double number_of(const std::string& where, DcmItem& item, const DcmTagKey& tag,
                  unsigned long place) {
   DcmElement* element = nullptr;
   if (item.findAndGetElement(tag, element).bad()) return kNone;
-  if (element->getLength() == 0) return kNone;
+  if (element->getLength() == 0) return kNone;  // DCMTK counts no blanks behind a text
   const std::optional<std::string_view> text = text_in(*element);
-  if (text && without_blanks(*text).empty()) return kNone;
   const double number = text ? number_of_text(where, tag, place, *text)
                              : number_of_bytes(where, tag, place, *element);
   if (number != std::floor(number) && !std::isnan(number) && is_whole(tag)) {
