@@ -7,8 +7,8 @@
 namespace stylet {
 namespace {
 
-// Part of its way to equilibrium that the axial way goes in a tick.
-constexpr float kGiveRate = 0.5F;
+// Time constant of the damper over which the axial way goes to equilibrium.
+constexpr float kGiveTimeS = 1e-3F;
 // If a whole tick's creep would gain energy, at least this part of it is tried: with short times
 // the spring yields faster than the lattice follows.
 constexpr float kLeastCreep = 1.0F / 16;
@@ -81,23 +81,28 @@ void relax_late(const Model& model, State& state, Particle& p, Residuals& d, dou
   (void)try_creep(model, state, p, d, part, spare_j);
 }
 
-// The axial way follows the force along the needle, as over a damper. Only along: taking back a
-// part that lies across would take work against the force there.
-void give_way(StateHead& state, Particle& p, const Residuals& d, Vec3 direction) {
+// The axial way follows the force along the needle, as over a damper (implicit, so that no tick is
+// too long for it). Only along: taking back a part that lies across would take work against the
+// force there.
+void give_way(const Model& model, StateHead& state, Particle& p, const Residuals& d,
+              Vec3 direction) {
   if (p.axial_fraction == 0) return;
   const double before_j = spring_energy(p, d);
   const float pull_m = dot(force_on_tissue(p, d.residual_m), direction) / p.stiffness_n_per_m;
   const float to_go_m =
       p.axial_fraction * pull_m - (1 - p.axial_fraction) * dot(p.give_m, direction);
-  p.give_m = settle(p.give_m + kGiveRate * to_go_m * direction);
+  const float period_s = model.head->config.period_s;
+  const float part = period_s / (period_s + kGiveTimeS);
+  p.give_m = settle(p.give_m + part * to_go_m * direction);
   set_slack(p);
   state.relaxation_j += before_j - spring_energy(p, d);
 }
 
 // A shaft CP moves with the needle.
-void follow(State& state, const Needle& needle, Particle& p, const Residuals& d) {
+void follow(const Model& model, State& state, const Needle& needle, Particle& p,
+            const Residuals& d) {
   const NeedlePoint point = needle_point(needle, p.arc_m);
-  give_way(*state.head, p, d, point.direction);
+  give_way(model, *state.head, p, d, point.direction);
   p.position_m = point.place_m;
   turn_give(p, point.direction);
 }
@@ -114,7 +119,7 @@ void relax_and_follow(const Model& model, State& state, const Needle& needle) {
     refill_supports(model, state, p);
     Residuals d = residuals(p);
     late[i] = !relax(model, state, p, d, spare_j);
-    if (!late[i]) follow(state, needle, p, d);
+    if (!late[i]) follow(model, state, needle, p, d);
   }
   Residuals tip_d = residuals(tip);
   if (!relax(model, state, tip, tip_d, spare_j)) {
@@ -125,7 +130,7 @@ void relax_and_follow(const Model& model, State& state, const Needle& needle) {
     Particle& p = state.shaft[i];
     Residuals d = residuals(p);
     relax_late(model, state, p, d, spare_j);
-    follow(state, needle, p, d);
+    follow(model, state, needle, p, d);
   }
 }
 

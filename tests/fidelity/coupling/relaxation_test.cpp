@@ -219,5 +219,52 @@ TEST(Relaxation, WhatFadesEndsAtZero) {
   EXPECT_LT(std::fabs(view.state.shaft[1].give_m.y), 1e-11F);
 }
 
+// A shaft is pulled along by 20 um and held. What each tick leaves of its way, on average over the
+// way from the first tick to a twentieth.
+double left_in_a_tick(float period_s) {
+  TinyOrgan tiny;
+  tiny.nx = 8;
+  tiny.ny = tiny.nz = 5;
+  tiny.materials = {relaxing()};
+  tiny.materials[0].relaxing_fraction = 0;
+  tiny.materials[0].puncture_force_n = 0.05F;
+  tiny.materials[0].coulomb_friction_n_per_m = tiny.materials[0].static_friction_n_per_m = 9e3F;
+  Config config;
+  config.period_s = period_s;
+  Rig rig = make_rig(tiny, config, Tissue::kFixed);
+  Vec3 tip_m = {-1e-3F, 12.3e-3F, 13.1e-3F};
+  for (; tip_m.x < 25e-3F; tip_m.x += 2e-5F) move_tip(rig, tip_m);
+  for (int i = 0; i < 200; ++i) move_tip(rig, tip_m);
+  const View view = needle_view(rig.view(), 0);
+  EXPECT_GT(view.state.needle->shaft_count, 2U);
+  const auto give_m = [&] { return static_cast<double>(view.state.shaft[1].give_m.x); };
+  const double before_m = give_m();
+  tip_m.x += 2e-5F;
+  std::vector<double> gone_m;
+  for (int i = 0; i < 200; ++i) {
+    move_tip(rig, tip_m);
+    gone_m.push_back(give_m() - before_m);
+  }
+  EXPECT_GT(gone_m.back(), 1e-6) << period_s;
+  const auto missing = [&](std::size_t i) { return 1 - gone_m[i] / gone_m.back(); };
+  std::size_t last = 1;
+  while (missing(last) > 0.05) ++last;
+  return std::pow(missing(last) / missing(0), 1 / static_cast<double>(last));
+}
+
+// A damper of 1 ms (PHYSICS 11.3) is as slow at any period of the tick. A tick of T takes the part
+// T / (T + 1 ms) of the way that is left, times the part that the spring has of the compliance of
+// spring and held voxels together, which is the same in all of them.
+TEST(Relaxation, ShaftGivesWayAlongInTheSameTimeAtAnyPeriod) {
+  std::vector<double> springs;
+  for (const float period_s : {2.5e-4F, 5e-4F, 1e-3F, 2e-3F, 4e-3F}) {
+    const double ticks = static_cast<double>(period_s) / 1e-3;
+    springs.push_back((1 - left_in_a_tick(period_s)) * (1 + ticks) / ticks);
+    EXPECT_NEAR(springs.back() / springs.front(), 1, 0.02) << period_s;
+  }
+  EXPECT_GT(springs.front(), 0.5);
+  EXPECT_LT(springs.front(), 1);
+}
+
 }  // namespace
 }  // namespace stylet::test
