@@ -307,8 +307,8 @@ constexpr const char* kFooter =
     "  stylet doctor --measure 60\n"
     "  stylet devices\n"
     "  stylet station hd: 192.168.0.5:7755\n"
-    "Exit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a fault during the run,\n"
-    "a replay with other results or a doubtful machine, 4 a machine not fit for real time";
+    "Exit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a fault that stands at\n"
+    "the end, a replay with other results or a doubtful machine, 4 a machine not fit for real time";
 
 int dispatch(int argc, char** argv) {
   CLI::App program("Haptic needle insertion: runs scenes, repeats and draws their recordings",

@@ -167,6 +167,16 @@ std::vector<bool> held_nodes(const Coarse& coarse, const std::vector<Voxel>& vox
   return held;
 }
 
+// Whether anything that is held can move.
+bool anything_moves(const Coarse& coarse, const std::vector<Voxel>& voxels,
+                    const std::vector<bool>& held, const Eigen::VectorXd& springs) {
+  return std::any_of(voxels.begin(), voxels.end(), [&](const Voxel& voxel) {
+    return held[coarse.cells.at(cell_of(coarse, voxel)).node[0]] &&
+           std::any_of(voxel.corner.begin(), voxel.corner.end(),
+                       [&](std::uint32_t p) { return springs[dof(p, 0)] == 0; });
+  });
+}
+
 // Motion of the particles from that of connected nodes: their weights, trilinear in a cell.
 Sparse weights_of(const Model& model, const Coarse& coarse, const std::vector<Voxel>& voxels,
                   const std::vector<bool>& held) {
@@ -339,6 +349,7 @@ Resonance first_resonance(const Kernel& kernel) {
   if (!(springs.array() > 0).any()) return {0, 0, kNever};
   const Coarse coarse = coarse_of(voxels, cell_size(voxels));
   const std::vector<bool> held = held_nodes(coarse, voxels, springs);
+  if (!anything_moves(coarse, voxels, held, springs)) return {0, 0, kNever};
   const Sparse weights = weights_of(view.model, coarse, voxels, held);
   const Eigen::SimplicialLDLT<Sparse> solver(stiffness_of(
       coarse, held, weights, springs, static_cast<double>(view.model.head->hourglass_weight)));

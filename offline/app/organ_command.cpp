@@ -172,6 +172,7 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   }
   warn(built.report.warnings);
   const Organ organ = open_organ(a.output, built.bytes);
+  warn(held_findings(lattice_pieces(organ)));
   Json facts = build_facts(built.report);
   facts["output"] = a.output;
   facts["organ"] = organ_facts(organ, built.bytes);

@@ -109,6 +109,28 @@ TEST(Bzip2, LayersOfSlicerAreRead) {
   EXPECT_EQ(map.names, (offline::LabelNames{{1, "Liver"}, {2, "Vein"}}));
 }
 
+TEST(Bzip2, ValuesOfNoSegmentAreTold) {
+  const Scratch scratch;
+  const auto file = [&](const char* value) {
+    return scratch.write(
+        "a.seg.nrrd",
+        fmt::format("NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 3 1 1\nspace: LPS\nspace "
+                    "directions: none (2,0,0) (0,3,0) (0,0,4)\nspace origin: (0,0,0)\nkinds: list "
+                    "domain domain domain\nencoding: bz2\nSegment0_Name:=Liver\n"
+                    "Segment0_LabelValue:={}\nSegment0_Layer:=0\nSegment1_Name:=Vein\n"
+                    "Segment1_LabelValue:=1\nSegment1_Layer:=1\n\n",
+                    value) +
+            packed(std::string("\1\0\0\3\2\1", 6)));
+  };
+  const LabelMap map = offline::read_label_map(file("1"));
+  EXPECT_EQ(map.label, (std::vector<std::uint16_t>{1, 0, 2}));
+  EXPECT_THAT(map.notes, testing::Contains(testing::HasSubstr(
+                             "2 voxels have a value that no segment of their layer has (first 3 in "
+                             "layer 1): left out")));
+  EXPECT_THAT(refusal_of(file("0")),
+              testing::HasSubstr("Segment0_LabelValue 0: expected 1 to 65535"));
+}
+
 // Layers lie on any of the axes that are not in space.
 TEST(Bzip2, LayersOnAnyAxisAreRead) {
   const Scratch scratch;

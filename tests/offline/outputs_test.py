@@ -144,6 +144,27 @@ class Case(unittest.TestCase):
         for device in ("/dev/full", "/dev/null"):
             self.assertTrue(stat.S_ISCHR(os.stat(device).st_mode))
 
+    def test_the_scene_that_is_made_runs(self):
+        """Whatever targets a recipe may have: as many, as long names, one in no tissue."""
+        def built(targets):
+            self.write("t.toml", ("[tissues]\nliver = [5]\n[targets]\n" + targets).encode())
+            return self.run_tool("build", "map.nrrd", "--recipe", "t.toml", "--voxel-mm", "5",
+                                 "-o", "t.organ")
+
+        def names(count, size):
+            return "".join(f"{i:0{size}} = [{5 if i else 7}]\n" for i in range(count))
+        done = built(names(32, 40))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("target " + 40 * "0" + ": its labels are in none of the tissues", done.stderr)
+        run = subprocess.run([BIN / "stylet", "run", "t.scene.toml", "--fast", "--duration-s",
+                              "0.05"], cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for targets, said in ((names(33, 40), "33 targets: expected at most 32"),
+                              (names(1, 41), "expected a name of at most 40 bytes")):
+            done = built(targets)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"t\.toml:[34]: .*" + said)
+
     def test_names_of_what_is_open_stay(self):
         """Links of the system, where standard output is a file, too."""
         names = ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")

@@ -3,6 +3,7 @@
 // page as a user gets it.
 #include "report/quality.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -112,6 +113,40 @@ TEST(Quality, PieceThatNothingHoldsIsSaidToDrift) {
   EXPECT_NE(quality.pieces[0].held, quality.pieces[1].held);
   EXPECT_THAT(offline::quality_facts(quality, built.report)["findings"].dump(),
               testing::HasSubstr("1 of 2 separate pieces"));
+}
+
+// Of boxes side by side, held below a height: each wholly, in part or not at all.
+TEST(Quality, PiecesThatCannotMoveAreTold) {
+  Draw draw(31);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    std::vector<offline::Input> inputs;
+    std::size_t floating = 0, rigid = 0;
+    const std::size_t count = 2 + draw.below(4);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = 30 * static_cast<double>(i);
+      const auto some = [&](std::size_t least) {
+        return 5 * static_cast<double>(least + draw.below(4));
+      };
+      const double low = some(0), high = low + some(1);
+      const Mesh box = box_mesh({x, 0, low}, {x + 10, 15, high});
+      inputs.push_back(input_of(box, 1e-3));
+      floating += low > 10 ? 1U : 0U;
+      rigid += high <= 10 ? 1U : 0U;
+    }
+    offline::BuildOptions options = measured_at(5);
+    options.held = offline::parse_regions({"z<10"}, 1e-3);
+    const auto built = build_quietly(inputs, options);
+    const auto findings = offline::held_findings(offline::lattice_pieces(opened(built.bytes)));
+    std::vector<std::string> expected;
+    if (floating > 0)
+      expected.push_back(fmt::format("{} of {} separate pieces are not", floating, count));
+    if (rigid > 0)
+      expected.push_back(fmt::format("{} of {} separate pieces are held", rigid, count));
+    ASSERT_EQ(findings.size(), expected.size()) << repeat;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_THAT(findings[i], testing::StartsWith(expected[i])) << repeat;
+    }
+  }
 }
 
 // A map of 2 mm that one tissue fills up to its edges, except for one voxel of a lesion in it,

@@ -26,7 +26,8 @@ constexpr std::uint32_t kMostResonanceCells = 1500;
 constexpr double kFastestHandHz = 20;
 
 struct Resonance {
-  double real_hz;     // with the mass that tissue has; 0 where nothing is attached
+  // Both are 0 where nothing is attached, or all of what is held in space.
+  double real_hz;     // with the mass that tissue has
   double stepped_hz;  // with the mass of the step
   // For a hand that moves the organ in that shape: the frequency from which the forces with the two
   // masses differ by a tenth of the force on a resting hand. For a hand that moves less of the

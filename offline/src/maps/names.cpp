@@ -189,6 +189,9 @@ std::vector<Segment> slicer_segments(const std::string& path, const Claim& claim
     const auto name = claim.remarks.find(key + "_Name"), id = claim.remarks.find(key + "_ID");
     segment.name = trimmed(name != claim.remarks.end() ? name->second : id->second);
     require_short(path, segment.name);
+    if (segment.value == 0) {
+      refuse("{}: {}_LabelValue 0: expected 1 to {}, as 0 is no segment", path, key, kMostLabel);
+    }
     for (const Segment& other : segments) {
       if (other.layer != segment.layer || other.value != segment.value) continue;
       refuse("{}: {}: label value {} of layer {} is {} already: expected one name for each", path,
@@ -222,12 +225,20 @@ void take_segments(const std::string& path, const std::vector<Segment>& segments
   const std::vector<std::uint16_t> stacked = std::move(map.label);
   map.label.assign(stacked.size() / layers, 0);
   std::size_t shared = 0;
+  std::size_t nameless = 0, first_layer = 0;  // voxels whose value is no segment's; of the first
+  std::uint16_t first_value = 0;
   for (std::size_t i = 0; i < map.label.size(); ++i) {
     std::size_t claims = 0;
     for (std::size_t layer = 0; layer < layers; ++layer) {
       const std::uint16_t value = stacked[i * layers + layer];
+      if (value == 0) continue;
       const auto found = number_of[layer].find(value);
-      if (value == 0 || found == number_of[layer].end()) continue;
+      if (found == number_of[layer].end()) {
+        if (nameless++ > 0) continue;
+        first_layer = layer;
+        first_value = value;
+        continue;
+      }
       map.label[i] = std::max(map.label[i], found->second);
       ++claims;
     }
@@ -237,6 +248,13 @@ void take_segments(const std::string& path, const std::vector<Segment>& segments
     map.notes.push_back(
         fmt::format("{}: {} voxels lie in several segments: each was given to the one listed last",
                     path, shared));
+  }
+  if (nameless > 0) {
+    map.notes.push_back(
+        fmt::format("{}: {} voxels have a value that no segment of their layer has (first {} in "
+                    "layer {}): left "
+                    "out",
+                    path, nameless, first_value, first_layer));
   }
 }
 

@@ -248,6 +248,20 @@ void read_group(const Source& source, const std::string& tissue, const toml::nod
   }
 }
 
+// Refuses what no scene takes.
+void check_targets(const std::string& file, const toml::table& table) {
+  constexpr std::size_t kMostTargets = 32, kMostNameBytes = 40;  // as hal/scene has them
+  if (table.size() > kMostTargets) {
+    refuse("{}: [targets]: {} targets: expected at most {}", place_of(file, table), table.size(),
+           kMostTargets);
+  }
+  for (const auto& [key, node] : table) {
+    if (key.str().size() <= kMostNameBytes) continue;
+    refuse("{}: {}: expected a name of at most {} bytes", place_of(file, node), key.str(),
+           kMostNameBytes);
+  }
+}
+
 }  // namespace
 
 Recipe recipe_of(const toml::table& root, const std::string& file, const FileNames& of_map) {
@@ -272,6 +286,7 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
        {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets}}) {
     if (root.contains(key)) *list = read_named(source, table_of(file, root, key), recipe);
   }
+  if (root.contains("targets")) check_targets(file, table_of(file, root, "targets"));
   for (const auto& [key, node] : table_of(file, root, "tissues")) {
     read_group(source, std::string(key.str()), node, recipe);
   }

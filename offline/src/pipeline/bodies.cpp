@@ -258,9 +258,21 @@ std::vector<Target> find_targets(const LabelMap& map, const Recipe& recipe) {
       least = away;
       target.middle_m = place_m(map, at);
     });
+    target.in_tissue = std::ranges::any_of(recipe.groups, [&](const LabelGroup& group) {
+      return std::ranges::find_first_of(group.labels, wanted.labels) != group.labels.end();
+    });
     targets.push_back(target);
   }
   return targets;
+}
+
+void warn_of_targets(const std::vector<Target>& targets, std::vector<std::string>& warnings) {
+  for (const Target& target : targets) {
+    if (target.in_tissue) continue;
+    warnings.push_back(
+        fmt::format("target {}: its labels are in none of the tissues: it lies outside the organ",
+                    target.name));
+  }
 }
 
 std::string scene_toml(const std::string& organ, const std::vector<std::string>& hull_files,
@@ -272,7 +284,8 @@ std::string scene_toml(const std::string& organ, const std::vector<std::string>&
       "# Made by stylet-organ build. Frame: the patient's, x to the left, y to the back, z to the "
       "head.\n[organ]\npath = \"{}\"\n\n[approach]\ndirection = [0, 1, 0]  # from the front\n",
       organ);
-  if (!targets.empty()) text += fmt::format("point_mm = {}\n", shown(targets.front().middle_m));
+  const auto aim = std::ranges::find(targets, true, &Target::in_tissue);
+  if (aim != targets.end()) text += fmt::format("point_mm = {}\n", shown(aim->middle_m));
   for (const Target& target : targets) {
     text += fmt::format("\n[[targets]]\nname = \"{}\"\nat_mm = {}\nradius_mm = {:.2f}\n",
                         target.name, shown(target.middle_m), std::max(0.1, target.radius_m * 1e3));

@@ -33,6 +33,7 @@ struct Target {
   Vec middle_m;  // middle of the target's voxel that is nearest to its centroid
   double volume_m3 = 0;
   double radius_m = 0;  // of a ball with this volume
+  bool in_tissue = false;
 };
 
 // In the recipe's order, without obstacles that are not in the map. `path` is for messages.
@@ -41,9 +42,11 @@ std::vector<NamedHull> find_obstacles(const std::string& path, const LabelMap& m
 // Warns of hulls whose volume differs from that of their labels, and of the tissues in them.
 void warn_of_obstacles(const std::vector<NamedHull>& hulls, std::vector<std::string>& warnings);
 std::vector<Target> find_targets(const LabelMap& map, const Recipe& recipe);
+// Warns of targets that lie outside the organ.
+void warn_of_targets(const std::vector<Target>& targets, std::vector<std::string>& warnings);
 
 // A scene with the organ file `organ` and the hulls in `hull_files`; its needle goes from the front
-// through the first target.
+// through the first target that lies in tissue.
 std::string scene_toml(const std::string& organ, const std::vector<std::string>& hull_files,
                        const std::vector<Target>& targets);
 

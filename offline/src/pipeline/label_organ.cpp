@@ -193,6 +193,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   built.report.warnings.insert(built.report.warnings.end(), of_wall.begin(), of_wall.end());
   built.obstacles = find_obstacles(path, map, recipe, groups);
   built.targets = find_targets(map, recipe);
+  warn_of_targets(built.targets, built.report.warnings);
   for (const Vec& point : skin.points) grow(claimed.box, point);
   if (options.measured) built.input_m = triangles_of(skin);
   smooth(skin, recipe.smoothing);

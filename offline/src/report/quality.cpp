@@ -12,6 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr unsigned kAllCorners = 255;  // a bit for each corner of a voxel
+
 // Visits half of the 26 neighbours, so that every pair of neighbours is visited once.
 template <typename Visit>
 void each_earlier_neighbour(const Cell& at, Visit visit) {
@@ -30,8 +32,10 @@ std::uint32_t voxel_at_node(const VoxelGrid& grid, std::int64_t x, std::int64_t 
   return kEmptyCell;
 }
 
+}  // namespace
+
 // Pieces connected through shared nodes within a sheet, and through ties between sheets.
-std::vector<LatticePiece> find_pieces(const Organ& organ) {
+std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
   const std::vector<Cell> cells = lattice_cells_of(organ);
   const VoxelGrid grid = voxel_grid(organ, cells);
   std::vector<std::uint32_t> parent = each_by_itself(cells.size());
@@ -58,13 +62,34 @@ std::vector<LatticePiece> find_pieces(const Organ& organ) {
     LatticePiece& piece = pieces[number[root]];
     ++piece.voxels;
     piece.volume_m3 += organ.voxel_fill[voxel] / 255.0 * edge * edge * edge;
-    piece.held = piece.held || (!organ.voxel_fixed.empty() && organ.voxel_fixed[voxel] != 0);
+    const unsigned corners = organ.voxel_fixed.empty() ? 0U : organ.voxel_fixed[voxel];
+    piece.held = piece.held || corners != 0;
+    piece.moves = piece.moves || corners != kAllCorners;
   }
   std::stable_sort(pieces.begin(), pieces.end(), [](const LatticePiece& a, const LatticePiece& b) {
     return a.voxels > b.voxels;
   });
   return pieces;
 }
+
+std::vector<std::string> held_findings(const std::vector<LatticePiece>& pieces) {
+  const auto count = [&](auto is) { return std::count_if(pieces.begin(), pieces.end(), is); };
+  const auto floating = count([](const LatticePiece& p) { return !p.held; });
+  const auto rigid = count([](const LatticePiece& p) { return !p.moves; });
+  std::vector<std::string> findings;
+  if (floating > 0 && pieces.size() > 1) {
+    findings.push_back(fmt::format("{} of {} separate pieces are not held in space and will drift",
+                                   floating, pieces.size()));
+  }
+  if (rigid > 0) {
+    findings.push_back(fmt::format(
+        "{} of {} separate pieces are held at every corner of every voxel and cannot move", rigid,
+        pieces.size()));
+  }
+  return findings;
+}
+
+namespace {
 
 Json deviation_facts(const Deviation& d) {
   return {{"mean_mm", d.mean_m * 1e3},
@@ -122,12 +147,8 @@ std::vector<std::string> findings_of(const Quality& quality, const BuildReport& 
     }
   }
   for (const ShareReport& each : report.shares) add_share_findings(each, findings);
-  const auto floating = std::count_if(quality.pieces.begin(), quality.pieces.end(),
-                                      [](const LatticePiece& p) { return !p.held; });
-  if (floating > 0 && quality.pieces.size() > 1) {
-    findings.push_back(fmt::format("{} of {} separate pieces are not held in space and will drift",
-                                   floating, quality.pieces.size()));
-  }
+  const std::vector<std::string> held = held_findings(quality.pieces);
+  findings.insert(findings.end(), held.begin(), held.end());
   if (report.closed_gaps > 0) {
     findings.push_back(fmt::format(
         "gaps of the input are closed at {} places, where one voxel or two neighbours hold parts "
@@ -143,7 +164,7 @@ Quality measure_quality(const Organ& organ, const Mesh& input_m, const Progress&
   const std::vector<Cell> cells = cells_of(organ);
   const VoxelGrid grid = voxel_grid(organ, cells);
   Quality quality;
-  quality.pieces = find_pieces(organ);
+  quality.pieces = lattice_pieces(organ);
   quality.thin_voxels = static_cast<std::size_t>(
       std::count(organ.voxel_fill.begin(), organ.voxel_fill.end(), std::uint8_t{1}));
   if (input_m.triangles.empty()) return quality;

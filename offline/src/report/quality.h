@@ -15,12 +15,17 @@
 
 namespace stylet::offline {
 
-// Voxels connected through shared corners. A piece without a held corner floats.
+// Voxels connected through shared corners. A piece without a held corner floats; one without a free
+// corner does not move.
 struct LatticePiece {
   std::size_t voxels = 0;
   double volume_m3 = 0;
-  bool held = false;
+  bool held = false, moves = false;
 };
+
+std::vector<LatticePiece> lattice_pieces(const Organ& organ);  // the largest first
+// Sentences on pieces that float among others, or do not move.
+std::vector<std::string> held_findings(const std::vector<LatticePiece>& pieces);
 
 struct Quality {
   // Not measured (no samples) if a surface is missing.

@@ -126,6 +126,21 @@ TEST(Resonance, OfWhatNothingHoldsIsNone) {
   EXPECT_FALSE(of.departs_hz < kFastestHandHz);
 }
 
+// Nor of what is held at every corner.
+TEST(Resonance, OfWhatCannotMoveIsNone) {
+  TinyOrgan tiny = beam(3, 3, 1, elastic(1e4F, 0.3F), 5e-3);
+  tiny.fixed_faces = kLowZ | kHighZ;
+  for (const Inertia inertia : {Inertia::kAddedMass, Inertia::kTrueMass}) {
+    Config config;
+    config.inertia = inertia;
+    const Rig rig = make_rig(tiny, config);
+    const Resonance of = first_resonance(rig.session.kernel);
+    EXPECT_EQ(of.real_hz, 0);
+    EXPECT_EQ(of.stepped_hz, 0);
+    EXPECT_FALSE(of.departs_hz < kFastestHandHz);
+  }
+}
+
 // A piece that nothing holds changes nothing beside one that is held.
 TEST(Resonance, LeavesOutWhatNothingHolds) {
   TinyOrgan tiny = beam(3, 3, 9, elastic(1e4F, 0.3F), 5e-3);
