@@ -549,6 +549,7 @@ TEST(Nifti, NumbersThatAreNoneAreNamed) {
       {[](Nifti& n) { n.voxels_at = 40; }, "vox_offset 40: expected from 352"},
       {[](Nifti& n) { n.voxels_at = 1e9; }, "vox_offset 1000000000: expected"},
       {[](Nifti& n) { n.voxels_at = kNan; }, "vox_offset nan"},
+      {[](Nifti& n) { n.voxels_at = 353.5; }, "vox_offset 353.5: expected a whole number"},
       {[](Nifti& n) { n.slope = kNan; }, "scl_slope nan"},
       {[](Nifti& n) { n.slope = 0.5; }, "voxel 0: 1 with scl_slope 0.5 and scl_inter 0 is 0.5"},
       {[](Nifti& n) { n.slope = 2e-5; }, "voxel 0: 1 with scl_slope 1.99"},

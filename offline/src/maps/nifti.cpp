@@ -140,6 +140,9 @@ std::array<std::uint32_t, 3> read_sizes(const std::string& path, const Header& h
     refuse("{}: vox_offset {}: expected from {} to {}", path, h.voxels_at, first,
            first + kMostExtensionBytes);
   }
+  if (h.voxels_at != std::floor(h.voxels_at)) {
+    refuse("{}: vox_offset {}: expected a whole number", path, h.voxels_at);
+  }
   return {static_cast<std::uint32_t>(size_of(0)), static_cast<std::uint32_t>(size_of(1)),
           static_cast<std::uint32_t>(size_of(2))};
 }
