@@ -87,9 +87,16 @@ class Contours : public ::testing::Test {
     return contour;
   }
 
-  // The same, begun elsewhere, perhaps backwards, with points there twice, rounded to 2 um.
+  // The same, with more points on its sides, begun elsewhere, perhaps backwards, with points there
+  // twice, rounded to 2 um.
   Contour otherwise(Contour contour) {
     auto& points = contour.points_m;
+    for (std::size_t i = draw.below(4); i > 0; --i) {
+      const auto at = static_cast<std::ptrdiff_t>(1 + draw.below(points.size() - 1));
+      const Vec from = points[static_cast<std::size_t>(at - 1)];
+      const Vec way = points[static_cast<std::size_t>(at)] - from;
+      points.insert(points.begin() + at, from + way * draw.between(0.1, 0.9));
+    }
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(draw.below(points.size()));
     std::rotate(points.begin(), begin, points.end());
     if (draw.below(2) == 0) std::reverse(points.begin(), points.end());
