@@ -867,7 +867,14 @@ TEST(Nrrd, SegmentsInLayersAreAllRead) {
     if (listed.empty()) continue;
     const LabelMap map =
         offline::read_label_map(scratch.write("a.seg.nrrd", header + "\n" + stacked));
-    std::size_t shared = 0;
+    std::size_t shared = 0, nameless = 0;
+    for (std::size_t i = 0; i < voxels * layers && layers > 1; ++i) {
+      const std::pair<std::size_t, char> here = {i % layers, stacked[i]};
+      const bool named = std::any_of(listed.begin(), listed.end(), [&](const auto& each) {
+        return std::pair<std::size_t, char>(each.layer, each.value) == here;
+      });
+      nameless += stacked[i] != 0 && !named ? 1 : 0;
+    }
     for (std::size_t i = 0; i < voxels; ++i) {
       std::size_t expected = layers > 1 ? 0 : static_cast<std::size_t>(stacked[i]), claims = 0;
       for (std::size_t s = 0; s < listed.size() && layers > 1; ++s) {
@@ -883,9 +890,13 @@ TEST(Nrrd, SegmentsInLayersAreAllRead) {
                                     : static_cast<std::uint16_t>(listed[s].value);
       EXPECT_EQ(map.names.at(label), "Part " + std::to_string(s));
     }
-    ASSERT_EQ(map.notes.size(), shared > 0 ? 1U : 0U);
-    if (shared == 0) continue;
-    EXPECT_THAT(map.notes[0], HasSubstr(std::to_string(shared) + " voxels lie in"));
+    ASSERT_EQ(map.notes.size(), (shared > 0 ? 1U : 0U) + (nameless > 0 ? 1U : 0U));
+    if (shared > 0) {
+      EXPECT_THAT(map.notes.front(), HasSubstr(std::to_string(shared) + " voxels lie in"));
+    }
+    if (nameless > 0) {
+      EXPECT_THAT(map.notes.back(), HasSubstr(std::to_string(nameless) + " voxels have a value"));
+    }
   }
 }
 
