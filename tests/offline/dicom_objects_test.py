@@ -5,6 +5,7 @@ series.
 
 usage: dicom_objects_test.py   (STYLET_BIN)
 """
+import hashlib
 import json
 import resource
 import subprocess
@@ -656,8 +657,15 @@ class StructureSets(Conformance):
         def series(folder, random):
             drawn = self.on_series(folder, random)
             liver = drawn.outlines(24, (25, 30))
-            dicom.write_structures(folder / "rt.dcm", [(5, "Liver", drawn.contours(liver))])
+            path = dicom.write_structures(folder / "rt.dcm",
+                                          [(5, "Liver", drawn.contours(liver))])
             self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
+            (self.folder / "r.toml").write_text("[tissues]\nliver = [5]\n")
+            done = subprocess.run([TOOL, "build", folder, "--recipe", self.folder / "r.toml",
+                                   "--voxel-mm", "8", "-o", self.folder / "a.organ", "--json"],
+                                  capture_output=True, text=True, timeout=60, check=True)
+            source = json.loads(done.stdout)["organ"]["provenance"]["sources"][0]
+            self.assertEqual(source["sha256"], hashlib.sha256(path.read_bytes()).hexdigest())
 
         def closer_than_slices(folder, random):
             drawn = self.on_series(folder, random)

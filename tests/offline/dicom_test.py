@@ -5,6 +5,7 @@ NRRD: same counts, same organ in the same place. What is damaged or incomplete i
 
 usage: dicom_test.py   (STYLET_BIN)
 """
+import hashlib
 import json
 import os
 import pathlib
@@ -165,6 +166,14 @@ def write_nrrd(path):
     path.write_bytes(head.encode() + labels().tobytes())
 
 
+def sum_of(source):
+    """Of a file; of a folder, that of its files' sums in the order of their names."""
+    path = pathlib.Path(source)
+    files = sorted(path.iterdir()) if path.is_dir() else [path]
+    sums = [hashlib.sha256(each.read_bytes()).hexdigest() for each in files]
+    return sums[0] if len(sums) == 1 else hashlib.sha256("".join(sums).encode()).hexdigest()
+
+
 @unittest.skipIf(pydicom is None, "pydicom is not installed: apt-get install python3-pydicom")
 class Dicom(unittest.TestCase):
     def setUp(self):
@@ -195,6 +204,7 @@ class Dicom(unittest.TestCase):
         seen, wanted = self.organ(source), self.organ(self.folder / "map.nrrd")
         for key in ("voxels", "lattice_size", "surface_triangles"):
             self.assertEqual(seen[key], wanted[key], key)
+        self.assertEqual(seen["provenance"]["sources"][0]["sha256"], sum_of(source))
         self.assertAlmostEqual(seen["volume_ml"], wanted["volume_ml"], delta=0.02)
         for a, b in zip(seen["origin_mm"], wanted["origin_mm"]):
             self.assertAlmostEqual(a, b, places=3)
