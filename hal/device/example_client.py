@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A device of your own: pushes the needle in, feels it, pulls it out. README.md has the packets.
+"""A device of your own: pushes the needle in, feels it, pulls it out. packets.md has the layout.
 
 stylet run SCENE.toml --device udp:7755 &  example_client.py 127.0.0.1 7755 [SECONDS]
 """

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is sent over network or shared memory between Stylet and a device it does not know: samples
-// one way, local models of the force the other. hal/device/README.md has the layout.
+// one way, local models of the force the other. hal/device/packets.md has the layout.
 //
 // A force lives `life_ns` from the moment when the sample it answers was taken, on the clock of
 // whoever took that sample. So no clocks are compared, and no force outlives that time, whatever is

@@ -33,7 +33,7 @@ ForcePacket some_force() {
   return packet;
 }
 
-// The layout that device/README.md gives to others.
+// The layout that hal/device/packets.md gives to others.
 TEST(Packet, FieldsLieWhereTheLayoutSays) {
   SamplePacket sample;
   sample.session = 11;

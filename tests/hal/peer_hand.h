@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs at the other end of a link, for sessions in virtual time: one that keeps the rules of
-// hal/device/README.md, and a station with a device of its own; and the disturbances between.
+// hal/device/packets.md, and a station with a device of its own; and the disturbances between.
 #pragma once
 
 #include <algorithm>
