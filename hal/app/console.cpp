@@ -231,7 +231,7 @@ class Console {
     if (session_ != nullptr) ++session_->lost_processes;
     pointers_.leave();
     fmt::print(stderr,
-               "stylet: the console ended: {}; an attempt goes on to its end, or to Ctrl-C\n",
+               "stylet: the console ended: {}; a running attempt goes on to its end, or to Ctrl-C\n",
                server_->process().ended());
   }
 
@@ -396,7 +396,7 @@ class Console {
   void choose(const std::string& scene) {
     if (running()) return server_->refuse("choose: an attempt is running; reset ends it");
     if (std::find(scenes_.begin(), scenes_.end(), scene) == scenes_.end()) {
-      return server_->refuse("choose: no such scene beside the first one");
+      return server_->refuse("choose: no scene of this name in the folder of the first one");
     }
     try {
       open((std::filesystem::path(folder_) / scene).string());
@@ -418,7 +418,8 @@ class Console {
     }
     const double age_s = static_cast<double>(hal::monotonic_now_ns() - order.seen_ns) * 1e-9;
     if (!(age_s >= 0 && age_s <= console::kAcknowledgeLifeS)) {
-      return server_->refuse("acknowledge: it came too late: look at the fault and ask again");
+      return server_->refuse(
+          "acknowledge: it came too late: look at the fault and acknowledge again");
     }
     mailbox.seen.store(latched);
   }

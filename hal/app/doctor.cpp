@@ -99,7 +99,7 @@ hal::Finding judged(const Resonance& of, Inertia inertia) {
   const bool departs = of.departs_hz < kFastestHandHz;
   finding.verdict = departs ? hal::Verdict::kWarn : hal::Verdict::kOk;
   finding.value = of.real_hz > 0
-                      ? fmt::format("first resonance {:.3g} Hz, of the tissue itself {:.3g} Hz",
+                      ? fmt::format("first resonance {:.3g} Hz instead of the tissue's {:.3g} Hz",
                                     of.stepped_hz, of.real_hz)
                       : "nothing holds the organ";
   finding.source = "the recording's organ, step and mass";

@@ -63,8 +63,8 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
           ->type_name("PORT")
           ->check(cli::between(0, 65535));
   run.add_option("--igtl-listen", options.listen,
-                 "Address of this machine at which clients on others reach it (default: only those "
-                 "here do)")
+                 "Address of this machine at which clients on other machines reach it (default: "
+                 "only clients on this machine do)")
       ->type_name("ADDRESS")
       ->check(CLI::ValidIPV4)
       ->needs(igtl);
@@ -187,7 +187,7 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
       "ready, 3 degraded (warnings, or something could not be read), 4 not suitable");
   auto* measure = doctor
                       .add_option("--measure", options.measure_s,
-                                  "Measure how late a thread wakes up, for so long in all")
+                                  "Measure for this time how late a thread wakes up")
                       ->type_name("SECONDS")
                       ->check(cli::between(0.1, 86400.0));
   auto* replay =
@@ -238,7 +238,7 @@ CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& 
       ->required();
   probe.add_option("-o,--output", probed.output, "File to write what was measured to (JSON)")
       ->type_name("FILE");
-  probe.add_option("--seconds", probed.seconds, "Watch the device for so long, without force")
+  probe.add_option("--seconds", probed.seconds, "Time to watch the device without force")
       ->type_name("SECONDS")
       ->check(cli::between(0.1, 3600.0))
       ->capture_default_str();
@@ -261,7 +261,7 @@ void add_station(CLI::App& program, StationOptions& options) {
       ->required();
   station
       .add_option("--duration-s", options.seconds,
-                  "End after so long (default: when Ctrl-C is pressed)")
+                  "Time after which to end (default: when Ctrl-C is pressed)")
       ->type_name("SECONDS")
       ->check(cli::between(1e-3, 86400.0));
   station
@@ -272,7 +272,7 @@ void add_station(CLI::App& program, StationOptions& options) {
       ->check(cli::between(0, 31));
   station
       .add_option("--dead-man-button", options.dead_man_button,
-                  "Button, counted from 0, without which there is no force: it must be held down")
+                  "Button, counted from 0, that must be held down for any force")
       ->type_name("NUMBER")
       ->check(cli::between(0, 31));
 }

@@ -100,8 +100,8 @@ fs::path kept_organ(const hal::Scene& scene) {
     top = fs::path(home) / ".cache";
   } else {
     throw hal::SceneError(fmt::format(
-        "{}: HOME and XDG_CACHE_HOME are not set: expected a folder where its organ is kept, or "
-        "one by --organ",
+        "{}: HOME and XDG_CACHE_HOME are not set: expected one of them, to keep the scene's organ "
+        "there, or an organ file by --organ",
         scene.file));
   }
   const std::string made_by = fmt::format("{} {}", STYLET_VERSION, recipe_of(scene.text));

@@ -265,7 +265,7 @@ std::string gnuplot_picture(const std::string& script, bool svg) {
     const std::string_view end = svg ? "</svg>" : "IEND";
     if (size < 0 || picture.find(end, picture.size() - std::min<std::size_t>(20, picture.size())) ==
                         std::string::npos) {
-      throw std::runtime_error("gnuplot: its picture is not whole: is memory full?");
+      throw std::runtime_error("gnuplot: its picture is incomplete: is memory full?");
     }
   } catch (...) {
     close(file);

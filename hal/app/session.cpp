@@ -397,7 +397,7 @@ std::string finish_recording(Attempt& a, RunReport& report, std::span<const hal:
     if (completed.error.empty() && completed.recording.empty()) {
       fmt::print(stderr, "stylet: no tick was run: there is no recording {}\n", a.recording);
     } else if (completed.error.empty() && completed.recording != a.recording) {
-      fmt::print(stderr, "stylet: {} has come meanwhile and is kept: this recording is {}\n",
+      fmt::print(stderr, "stylet: {} appeared during the run and is kept: this recording is {}\n",
                  a.recording, completed.recording);
     }
   }

@@ -13,7 +13,7 @@ namespace stylet::hal {
 namespace {
 
 [[noreturn]] void fail() {
-  throw SideError(fmt::format("no memory to share: {}", std::strerror(errno)));
+  throw SideError(fmt::format("no memory for a process beside the loop: {}", std::strerror(errno)));
 }
 
 }  // namespace

@@ -106,11 +106,11 @@ std::string stranger(const DeviceInfo& now, const Lasting& lasting) {
     const auto called = [](const std::string& id) {
       return id.empty() ? "one without a name" : id;
     };
-    return fmt::format("{} has come in the place of {}: end the run and start it again",
+    return fmt::format("{} is there instead of {}: end the run and start it again",
                        called(now.identity), called(lasting.identity));
   }
   if (!renders_less(now, lasting.info)) return "";
-  return fmt::format("{} has come in its place, which renders less: end the run and start it again",
+  return fmt::format("{} is there instead, which renders less: end the run and start it again",
                      now.name);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// On Windows, which promises no time to anybody: what it grants is asked for, and that it promises
+// On Windows, which promises no time to any thread: what it grants is asked for, and that it promises
 // nothing is always told.
 #include <fmt/format.h>
 #include <windows.h>
@@ -49,8 +49,8 @@ std::vector<int> loop_processors(int cpu) {
 void prepare_thread(int cpu, int priority, HostReport& report) {
   const int chosen = loop_processors(cpu).at(0);
   report.lacks.emplace_back(
-      "Windows promises no time: a tick may come late at any priority; a loop that must not needs "
-      "Linux with PREEMPT_RT");
+      "Windows promises no time: a tick may come late at any priority; use Linux with PREEMPT_RT "
+      "where no tick may be late");
   if (const int error = stay_on(chosen); error != 0) {
     report.lacks.push_back(
         fmt::format("thread cannot be pinned to processor {} ({})", chosen, why_refused(error)));

@@ -66,7 +66,7 @@ struct RecordingWriter::File {
     events.abandon();
     file.id = -1;
     throw RecordingError(
-        fmt::format("{}; what was recorded before is {}", why, std::exchange(temporary, "")));
+        fmt::format("{}; the ticks until then are in {}", why, std::exchange(temporary, "")));
   }
   void put_down_events() {
     events.append(std::span<const Event>(waiting_events));
@@ -189,7 +189,7 @@ std::string RecordingWriter::finish(std::uint64_t final_state_hash, std::uint64_
     std::remove((temporary + "+").c_str());
     fail(path, "file",
          fmt::format("cannot be completed (disk full, or the name is taken by a folder?); "
-                     "what was recorded is {}",
+                     "the ticks are in {}",
                      temporary));
   }
   return taken;

@@ -217,7 +217,7 @@ std::vector<Target> read_targets(std::vector<Section> sections) {
     const std::string& name = targets.back().name;
     const auto same = [&name](const Target& other) { return other.name == name; };
     if (std::count_if(targets.begin(), targets.end(), same) > 1) {
-      each.fail("name", "another name than those before");
+      each.fail("name", "a name that no target before it has");
     }
   }
   return targets;

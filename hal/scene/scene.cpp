@@ -91,7 +91,7 @@ void read_spin(Section& section, const Waypoint& last, Waypoint& w) {
     section.fail(
         "turns",
         fmt::format(
-            "at most {:.2f} for each second of rolling, which lasts duty times the time of the way",
+            "at most {:.2f} for each second in which it rolls: duty times the time of the way",
             most));
   }
 }

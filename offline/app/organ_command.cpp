@@ -53,15 +53,15 @@ void add_resolution(CLI::App& command, CommonArguments& a) {
       ->needs(fit);
   command
       .add_option("--inertia", a.inertia,
-                  "loop.inertia of the scene that is to run the organ, for --fit and for what is "
-                  "said of speed and mass")
+                  "loop.inertia of the scene that will run the organ; --fit and the report of "
+                  "speed and mass depend on it")
       ->type_name("INERTIA")
       ->transform(CLI::CheckedTransformer(kInertias).description("{true_mass,added_mass}"))
       ->default_str("true_mass");
   command
       .add_option("--substeps", a.substeps,
-                  "loop.substeps of the scene that is to run the organ, likewise (default: 1; with "
-                  "added_mass 2)")
+                  "loop.substeps of the scene that will run the organ; --fit and the report of "
+                  "speed and mass depend on it (default: 1; with added_mass 2)")
       ->type_name("NUMBER")
       ->check(cli::between(1U, kMaxSubsteps));
 }

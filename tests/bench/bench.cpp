@@ -473,7 +473,7 @@ constexpr const char* kHelp =
     "            two threads then did not run at the same time\n"
     "\n"
     "stylet bench --benchmark_filter=tissue/liver_5k     one measure of one body\n"
-    "stylet bench liver.organ                            what this machine makes of an organ\n"
+    "stylet bench liver.organ                            how long a tick of this organ takes\n"
     "\n"
     "The other options are those of Google Benchmark:\n\n";
 

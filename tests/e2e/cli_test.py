@@ -220,7 +220,7 @@ class Recording(Folder):
             report = json.loads(out)
             name = report["recording"]
             names.add(name)
-            self.assertIn(f"{wanted} has come meanwhile and is kept: this recording is {name}\n",
+            self.assertIn(f"{wanted} appeared during the run and is kept: this recording is {name}\n",
                           error)
             with h5py.File(name) as file:
                 self.assertEqual(len(file["output/tick"]), report["timing"]["ticks"])
@@ -237,7 +237,7 @@ class Recording(Folder):
             done = subprocess.run([BIN / "stylet", "plot", self.recording, "-o", self.top / name],
                                   preexec_fn=limit, capture_output=True, text=True, timeout=60)
             self.assertEqual(done.returncode, 1, done.stderr)
-            self.assertRegex(done.stderr, "^stylet: gnuplot: its picture is not whole")
+            self.assertRegex(done.stderr, "^stylet: gnuplot: its picture is incomplete")
             self.assertEqual(list(self.top.glob("full*")), [])
         for program, *words in (["stylet", "score", self.recording],
                                 ["stylet-organ", "info", self.organ]):
@@ -461,7 +461,7 @@ class Doctor(Folder):
         self.assertEqual(len(verdicts), 30 + 3 + 5 + 1)
         inertia, = (f for f in report["findings"] if f["name"] == "inertia")
         resonance = re.fullmatch(
-            r"first resonance ([\d.]+) Hz, of the tissue itself ([\d.]+) Hz", inertia["value"])
+            r"first resonance ([\d.]+) Hz instead of the tissue's ([\d.]+) Hz", inertia["value"])
         # Voxels of 10 mm are so large that two substeps need no filter.
         self.assertEqual((resonance[1], inertia["verdict"]), (resonance[2], "ok"))
         expected = 4 if "fail" in verdicts else 3 if report["verdict"] == "degraded" else 0

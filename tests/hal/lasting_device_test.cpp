@@ -204,7 +204,7 @@ TEST(LastingDevice, WhatRendersLessIsNotTakenAndNamed) {
   factory.max_force_n = 1;
   std::uint64_t seq = 0;
   ASSERT_TRUE(ticks_until(
-      device, [&] { return trouble_of(device).find("a fake has come in its place") == 0; }, seq));
+      device, [&] { return trouble_of(device).find("a fake is there instead") == 0; }, seq));
   EXPECT_FALSE(factory.newest().open);
   EXPECT_EQ(factory.newest().touched, 0);
   EXPECT_STREQ(device.info.name, "a fake");
@@ -224,7 +224,7 @@ TEST(LastingDevice, AnotherDeviceIsNotTakenAndNamed) {
     return ticks_until(
         device, [&] { return trouble_of(device).find(what) == 0; }, seq);
   };
-  EXPECT_TRUE(told("18 has come in the place of 17"));
+  EXPECT_TRUE(told("18 is there instead of 17"));
   EXPECT_EQ(factory.newest().touched, 0);
   factory.identity = "17";
   EXPECT_TRUE(ticks_until(

@@ -205,7 +205,7 @@ TEST(Targets, MistakesNameTheirLine) {
   const std::string good = "[[targets]]\nname = \"a\"\nat_mm = [0, 0, 0]\nradius_mm = 1\n";
   EXPECT_EQ(refusal(good), "");
   EXPECT_EQ(refusal(good + good),
-            "s.toml:6: targets.name: 'a': expected another name than those before");
+            "s.toml:6: targets.name: 'a': expected a name that no target before it has");
   EXPECT_EQ(refusal("[[targets]]\nname = \"a\"\nradius_mm = 1\n"),
             "s.toml:1: targets.at_mm: missing: expected a list of 3 numbers: where its middle is");
   EXPECT_EQ(refusal("[[targets]]\nname = \"a\"\nat_mm = [0, 0, 0]\n"),

@@ -253,7 +253,7 @@ TEST_F(OpenHaptics, AnotherDeviceDoesNotTakeThePlaceOfTheFirst) {
   (void)ticker.trouble_under({0, 0, 1});
   bench->trouble(Trouble::kNone);
   const auto refused = [&] {
-    return says(trouble_of(ticker.device), "50915002 has come in the place of 40915001");
+    return says(trouble_of(ticker.device), "50915002 is there instead of 40915001");
   };
   bool told = false;
   for (int i = 0; i < 10 && !told; ++i) told = ticker.tick_until({0, 0, 1}, refused);

@@ -195,7 +195,7 @@ class RegularSeries(Conformance):
             slices = stack(random)
             write_slices(folder, slices, random)
             (folder / "README").write_text("slices of a phantom")
-            self.check(folder, held(slices), said=["README: no DICOM file: left out"])
+            self.check(folder, held(slices), said=["README: not a DICOM file: left out"])
 
         def subfolder(folder, random):
             slices = stack(random)
@@ -391,7 +391,7 @@ class IrregularSeries(Conformance):
                 self.check(folder, held(slices))
                 item.add_new(0x40011000 + 4000, "LO", "")
                 file.save_as(path)
-                self.refused(folder, "4001 elements beside each other: expected at most 4000")
+                self.refused(folder, "4001 elements on one level: expected at most 4000")
                 del item[0x40011000 + 4000]
 
         def two_series(folder, random):

@@ -481,8 +481,8 @@ constinit const DriverDescriptor hd_driver = {
     .models = kModels,
     .row = {"`hd:`, `hd:NAME`", "3D Systems Touch, Touch X, Omni, Premium", "6 / 3",
             "OpenHaptics 3.x (`libHD.so`, or its path in `STYLET_LIBHD`), the Touch driver, "
-            "`libncurses5`; NAME as in the vendor's set-up (`$GTDD_HOME/config`). Your locale is "
-            "kept from it: it reads numbers with a point"},
+            "`libncurses5`; NAME as in the vendor's set-up (`$GTDD_HOME/config`). Stylet hides "
+            "your locale from it, because it reads numbers with a decimal point"},
 };
 
 }  // namespace stylet::hal

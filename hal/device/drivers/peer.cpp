@@ -204,7 +204,8 @@ std::string note(void* self) {
       static_cast<const PeerDevice*>(self)->clock_sets.load(std::memory_order_relaxed);
   if (sets == 0) return "";
   return fmt::format(
-      "the clock that its samples go by was set ({}): their times are related to ours anew", sets);
+      "the clock of its samples was set ({} time{}): their times are matched to ours again", sets,
+      sets == 1 ? "" : "s");
 }
 
 // Why no device has come, and what to do.
@@ -271,7 +272,7 @@ constinit const DriverDescriptor udp_driver = {
     .open = open_udp,
     .search = search,
     .row = {"`udp:PORT`, `udp:ADDRESS:PORT`", "another program, another machine", "6 / as it says",
-            "who speaks in packets; `udp:PORT` listens to this machine only"},
+            "a program that speaks in packets; `udp:PORT` listens to this machine only"},
 };
 
 constinit const DriverDescriptor shm_driver = {

@@ -92,7 +92,7 @@ Settings settings_of(const py::dict& options) {
   take("fill_gaps", s.fill_gaps, "a text");
   take("split_gaps", s.split_gaps, "True or False");
   take("wrap", s.wrap, "True or False");
-  if (take.taken != options.size()) throw py::type_error("an option that there is not");
+  if (take.taken != options.size()) throw py::type_error("unknown option");
   return s;
 }
 

@@ -55,7 +55,7 @@ void read_groups(DicomFile& file) {
   for (DcmItem* const item : {static_cast<DcmItem*>(&data), file.shared}) {
     constexpr unsigned long kMost = 4000;  // private ones of scanners are hundreds
     if (item == nullptr || item->card() <= kMost) continue;
-    refuse("{}: {} elements beside each other: expected at most {}", file.path, item->card(),
+    refuse("{}: {} elements on one level: expected at most {}", file.path, item->card(),
            kMost);
   }
   if (!file.groups.empty() && file.groups.size() != file.frames) {

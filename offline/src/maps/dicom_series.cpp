@@ -46,7 +46,7 @@ Folder open_folder(const std::string& folder) {
   std::sort(paths.begin(), paths.end());
   for (const fs::path& path : paths) {
     if (!is_dicom(path.string()) && !is_named_dicom(path)) {
-      found.notes.push_back(fmt::format("{}: no DICOM file: left out", path.string()));
+      found.notes.push_back(fmt::format("{}: not a DICOM file: left out", path.string()));
       continue;
     }
     DicomFile file = open_dicom(path.string());

@@ -404,9 +404,9 @@ void warn_of_slopes(const Claimed& claimed, const TissueNumbers& numbers,
   if (1 - left <= kMostOff) return;
   constexpr double kDegrees = 180 / std::numbers::pi;
   warnings.push_back(fmt::format(
-      "--layers-along {}{}: the surface that this way enters slopes like a plane at {:.0f} "
-      "degrees: across it, layers are {:.0f} % thinner on average than asked for: expected a way "
-      "straight in, or thicker layers",
+      "--layers-along {}{}: the outer surface slopes by {:.0f} degrees on average, so that layers "
+      "are {:.0f} % thinner across it than asked for: expected a direction straight into the "
+      "surface, or thicker layers",
       numbers.course.backwards ? '-' : '+', "xyz"[numbers.course.axis], std::acos(left) * kDegrees,
       100 * (1 - left)));
 }

@@ -309,7 +309,7 @@ std::string inertia_text(const nlohmann::ordered_json& facts) {
   const Json& of = facts["resonance"];
   if (!(of["real_hz"].get<double>() > 0)) return "";
   return fmt::format(
-      "inertia       {}: first resonance {:.3g} Hz, of the tissue itself {:.3g} Hz; {}\n",
+      "inertia       {}: first resonance {:.3g} Hz, that of the real mass {:.3g} Hz; {}\n",
       stepping_text(facts), of["stepped_hz"].get<double>(), of["real_hz"].get<double>(),
       of.contains("departs_hz")
           ? fmt::format("above {:.2g} Hz the force on a moving hand may be off by a tenth",
