@@ -231,7 +231,8 @@ class Console {
     if (session_ != nullptr) ++session_->lost_processes;
     pointers_.leave();
     fmt::print(stderr,
-               "stylet: the console ended: {}; a running attempt goes on to its end, or to Ctrl-C\n",
+               "stylet: the console ended: {}; a running attempt goes on to its end, or to "
+               "Ctrl-C\n",
                server_->process().ended());
   }
 

@@ -69,7 +69,7 @@ std::string table() {
   return rows;
 }
 
-// What becomes of each kind in a library for Windows, in which nobody says use_drivers().
+// What becomes of each kind in a library for Windows, where nobody calls use_drivers().
 std::string windows_table() {
   std::string here, not_here;
   const auto add = [](std::string& kinds, const hal::DriverDescriptor& driver) {

@@ -110,7 +110,7 @@ fs::path kept_organ(const hal::Scene& scene) {
          fmt::format("{}-{:016x}.organ", fs::path(scene.file).stem().string(), key);
 }
 
-// Runs a program whose output is for who waits, on the standard error. Returns what went wrong.
+// Runs a program; its output goes to standard error, for whoever waits. Returns what went wrong.
 std::string run_program(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));

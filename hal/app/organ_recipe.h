@@ -2,10 +2,10 @@
 // The organ of a scene, and the command that makes it: the line `# organ: stylet-organ ...` of the
 // scene's file, where `{data}` is the folder of the meshes and `{scenes}` the scene's own folder.
 //
-// The organs of Stylet's own scenes are made on first use, but for the liver phantom, which is
-// installed with this program (toolchain/cmake/stylet_phantom.cmake). They are kept where the XDG
-// Base Directory Specification puts what can be made again, since the scenes' folder belongs to the
-// system: $XDG_CACHE_HOME/stylet/organs, else ~/.cache/stylet/organs.
+// The organs of Stylet's own scenes are made on first use, except the liver phantom, which is
+// installed with this program (toolchain/cmake/stylet_phantom.cmake). The scenes' folder belongs to
+// the system, so organs are kept where the XDG Base Directory Specification puts files that can be
+// made again: $XDG_CACHE_HOME/stylet/organs, else ~/.cache/stylet/organs.
 #pragma once
 
 #include <string>

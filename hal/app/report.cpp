@@ -258,8 +258,8 @@ double dimple_voxels(const RunReport& report) {
 std::string inertia_text(const Resonance& of) {
   if (!(of.departs_hz < kFastestHandHz)) return "";
   return fmt::format(
-      "inertia     first resonance {:.3g} Hz instead of the tissue's {:.3g} Hz: above {:.2g} Hz the "
-      "force on a moving hand may be off by a tenth\n",
+      "inertia     first resonance {:.3g} Hz instead of the tissue's {:.3g} Hz: above {:.2g} Hz "
+      "the force on a moving hand may be off by a tenth\n",
       of.stepped_hz, of.real_hz, of.departs_hz);
 }
 

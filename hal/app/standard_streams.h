@@ -4,9 +4,9 @@
 
 namespace stylet::app {
 
-// From then on a reader that reads no more (a full pipe, a terminal that was held) keeps nobody
-// waiting for longer than a second after a signal has asked for the end (stop_signal.h). What then
-// does not fit fails with EAGAIN on standard output, and is dropped on standard error. May be
+// After this call, a reader that has stopped reading (a full pipe, a terminal that is held) delays
+// the program by at most a second once a signal has asked for the end (stop_signal.h). Output that
+// does not fit then fails with EAGAIN on standard output, and is dropped on standard error. May be
 // called again.
 void bound_standard_streams();
 

@@ -8,7 +8,7 @@ namespace stylet::hal {
 namespace {
 
 constexpr std::int64_t kNsPerS = 1'000'000'000;
-// A timer of high resolution wakes up to this late; the rest is waited for with open eyes.
+// A timer of high resolution wakes up this late at most; it is set earlier, the rest is polled.
 constexpr std::int64_t kTimerLateNs = 600'000;
 constexpr std::int64_t kTimerUnitNs = 100;
 
@@ -21,7 +21,7 @@ std::int64_t counts_per_s() {
   return kept;
 }
 
-// A thread's own; null: it waits with open eyes alone.
+// A thread's own; null: it only polls.
 struct Timer {
   HANDLE handle;
   Timer() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waits until something has happened so many times. What std::latch is for; but where the system
-// has no futex (Windows), that of GCC 12 looks at its number before it takes the lock under which
-// it sleeps, and so can miss the last call and sleep for ever. Takes a lock: not for a tick.
+// Waits until something has happened a given number of times. std::latch would do this, but without
+// a futex (Windows) GCC 12's looks at its number before it takes the lock under which it sleeps: it
+// can miss the last call and sleep for ever. Takes a lock: not for a tick.
 #pragma once
 
 #include <condition_variable>

@@ -8,7 +8,7 @@
 namespace stylet::hal {
 
 // "no such file", "is a directory", "is a pipe", "is empty", "Permission denied" ...; empty: it can
-// be read. A pipe is none that can be read from any place, as organs and recordings are.
+// be read. A pipe counts as unreadable: organs and recordings are read from any position.
 std::string why_unreadable(const std::string& path);
 
 // Reads the whole of a file or of a pipe, such as a shell's <(...), up to `most` bytes; returns why

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Haptic devices by name: what each can do, and how it moves.
 //
-// Sources. Largest force, stiffness and damping: what CHAI3D's device classes state. The
-// Phantoms' (Touch, Omni, Touch X, Premium) continuous force, resolution, friction, mass and
-// workspace: their data sheets; so, too, workspace and resolution of the others. Not published and
-// assumed on the safe side: 0.2 kg and no friction for parallel arms, and a quarter of the largest
-// force as a Falcon's continuous one. Delay: a period of 1 ms over USB, a quarter of it for devices
-// that can be polled at 4 kHz. Damping of the arm: see with_arm_damping. The models are listed in
-// the drivers of their devices. Promise: plain data. Units: SI.
+// Sources. Largest force, stiffness and damping: CHAI3D's device classes. Workspace and resolution:
+// data sheets; for the Phantoms (Touch, Omni, Touch X, Premium) also continuous force, friction and
+// mass. Not published, and assumed on the safe side: 0.2 kg and no friction for parallel arms, and
+// a quarter of the largest force as a Falcon's continuous one. Delay: a period of 1 ms over USB, a
+// quarter of it for devices that can be polled at 4 kHz. Damping of the arm: see with_arm_damping.
+// The models are listed in the drivers of their devices. Promise: plain data. Units: SI.
 // Frame: the device's.
 #pragma once
 

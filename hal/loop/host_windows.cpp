@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// On Windows, which promises no time to any thread: what it grants is asked for, and that it promises
-// nothing is always told.
+// On Windows: asks for what the system grants. Windows promises no thread any time, and the report
+// always says so.
 #include <fmt/format.h>
 #include <windows.h>
 

@@ -220,7 +220,8 @@ class Recording(Folder):
             report = json.loads(out)
             name = report["recording"]
             names.add(name)
-            self.assertIn(f"{wanted} appeared during the run and is kept: this recording is {name}\n",
+            self.assertIn(f"{wanted} appeared during the run and is kept: "
+                          f"this recording is {name}\n",
                           error)
             with h5py.File(name) as file:
                 self.assertEqual(len(file["output/tick"]), report["timing"]["ticks"])

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds a configuration's values against their limits, and keeps the first one outside, so that a
-// refusal can name it; also for configurations of whoever is beside the kernel. Not in a tick.
+// Compares a configuration's values with their limits and keeps the first one outside, so that a
+// refusal can name it; also for configurations of other parts than the kernel. Not in a tick.
 #pragma once
 
 #include "stylet/kernel.h"

@@ -87,8 +87,8 @@ struct ObstacleConfig {
   Vec3 vertices_m[kMaxHullVertices] = {};
   float rounding_m = 0;
   // The contact. Its defaults, which scenes and hosts take from here, are chosen, not measured:
-  // bone that stops a needle is stiffer and bears more than a device renders, so a stiffness on
-  // which the loop is tested with devices, and more force than any of them has (device/model.h).
+  // real bone is stiffer and bears more than any device renders. So the stiffness is one with which
+  // the loop is tested, and the force is more than any device has (device/model.h).
   float stiffness_n_per_m = 20e3F;  // both ways; at most kMaxRodStiffnessNPerM
   float largest_force_n = 50;       // what the normal force approaches as the needle is pressed in
   float friction = 0.3F;            // Coulomb coefficient
@@ -330,8 +330,8 @@ Energy energy(const Kernel& kernel);
 // (not finite: only with a latched fault). Then nothing changes. A state that it accepts does no
 // harm in any number of ticks: forces are finite, or the fault latches.
 std::size_t snapshot_bytes(const Kernel& kernel);
-// A number that is another one for every layout of the state: snapshots pass between programs with
-// the same number.
+// A number that differs for every layout of the state: snapshots pass between programs with the
+// same number.
 std::uint64_t state_layout();
 Status snapshot(const Kernel& kernel, std::span<std::byte> out);
 Status restore(Kernel& kernel, std::span<const std::byte> in);

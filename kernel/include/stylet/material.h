@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // A material, and the list of its numbers: fields, limits, and how a table of tissues spells them.
 //
-// Promises: organ_open refuses a number outside its limits with its name and value. From the list
-// come the fields of Material, what organ_open checks and reads, and of offline the keys of a
-// tissue's table, what is written to the file and what `info` shows. The schema (organ.fbs) has the
-// same fields in the same order; a test holds the two against each other. What a number does is
-// material_model in kernel.cpp, and PHYSICS 4.1. Units: SI, those of the keys by their names.
+// Promises: organ_open refuses a number outside its limits with its name and value. The list makes
+// the fields of Material, and what organ_open reads and checks; in offline, the keys of a tissue's
+// table, what is written to the file and what `info` shows. The schema (organ.fbs) has the same
+// fields in the same order; a test compares the two. material_model in kernel.cpp and PHYSICS 4.1
+// say what a number does. Units: SI; those of the keys are in their names.
 #pragma once
 
 #include "stylet/limits.h"
 
 namespace stylet {
 
-// F(field, least, most, expected, key, si_per_unit, must_be_given): the field; its limits; these
-// in words, for a refusal; the key of a tissue's table, and how many SI units one of the key's unit
-// is; whether a table of a new tissue must have it, else it is 0. A new number is the last, and 0
-// is within its limits: so old files have it, which know nothing of it.
+// F(field, least, most, expected, key, si_per_unit, must_be_given): the field; its limits; the
+// limits in words, for a refusal; the key of a tissue's table, and how many SI units one of the
+// key's unit is; whether a table of a new tissue must have it, else it is 0. A new number is added
+// at the end, and 0 is within its limits: 0 is what it is in files from before it.
 #define STYLET_MATERIAL_NUMBERS(F)                                                                 \
   F(density_kg_per_m3, 1, 20000, "1 to 20000", "density_kg_per_m3", 1, true)                       \
   F(youngs_modulus_pa, kMinYoungsModulusPa, kMaxYoungsModulusPa, "1 to 1e9", "youngs_modulus_kpa", \

@@ -10,10 +10,10 @@
 namespace stylet {
 namespace {
 
-// No needle is quite straight. This kink at every joint decides to which side a needle buckles that
-// is pressed exactly along its axis.
+// No needle is quite straight. This kink at every joint decides to which side a needle buckles when
+// it is pressed exactly along its axis.
 constexpr double kImperfectionRad = 1e-7;
-// Material that a needle is taken to be made of when it is thrown about: solid steel.
+// The mass of a needle that is thrown about is taken as that of solid steel.
 constexpr double kSteelKgPerM3 = 7850;
 // If the last Newton step turns a rod farther than this, the steps have not converged: the needle
 // snaps over. (At rest they end below 1e-5, with a jerk on obstacles below 1e-3.)

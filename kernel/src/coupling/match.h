@@ -15,8 +15,9 @@
 
 namespace stylet {
 
-// Where the last match put a voxel: together with its CPs, if it has any. (If a CP that joins
-// others in a voxel took the match of the corners alone, the next match would move it: it is felt.)
+// Where the last match put a voxel: together with its CPs, if it has any. (A CP that joins others
+// in a voxel needs that one: from the match of the corners alone the next match would move it,
+// which the hand would feel.)
 struct MatchFrame {
   Quat turn;
   Vec3 centre_m;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // numpy's arrays as label maps and meshes.
 //
-// Promise: an array is read where it lies and copied once, whatever its order and its type of
-// number; what is not labels or not a surface is refused with place and value. The interpreter need
-// not be held while labels are read. Units: metres. Frame: the patient's (LPS).
+// Promise: an array is read where it lies and copied once, whatever its order and type; an array
+// that cannot be labels or a surface is refused with place and value. Labels are read without the
+// interpreter's lock. Units: metres. Frame: the patient's (LPS).
 #pragma once
 
 #include <pybind11/numpy.h>

@@ -18,8 +18,8 @@
 namespace stylet::offline::python {
 namespace {
 
-// Called while others run. Looks for Ctrl-C; what that or `told` raises ends the build. `told` is
-// not copied, which only who holds the interpreter may do.
+// Called without the interpreter's lock, and takes it. Looks for Ctrl-C; an exception of that or of
+// `told` ends the build. `told` is not copied: that would need the lock.
 Progress progress_of(const py::object& told) {
   return [&told](const char* stage, double fraction) {
     const py::gil_scoped_acquire interpreter;
@@ -28,7 +28,8 @@ Progress progress_of(const py::object& told) {
   };
 }
 
-// What is a file or a dict in Python: its path, or the dict with its text for the provenance.
+// An argument that is either a file or a dict in Python: its path, or the dict
+// with its text for the provenance.
 struct Given {
   std::string path;
   std::optional<py::dict> dict;

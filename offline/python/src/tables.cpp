@@ -15,7 +15,7 @@ namespace {
 
 toml::array array_of(const py::sequence& list, const std::string& place);
 
-// Hands `put` the value as TOML has it. numpy's numbers and arrays are Python's for it.
+// Gives `put` the value as a type of TOML. numpy's numbers and arrays count as Python's.
 template <typename Put>
 void convert(py::handle value, const std::string& place, const Put& put) {
   if (py::hasattr(value, "tolist")) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Python's dicts as the tables that recipes, tissues and options are read from.
 //
-// Promise: what has no place in a table is refused with its name, nothing is dropped.
+// Promise: a value that a table cannot hold is refused with its name; nothing is dropped.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -10,10 +10,9 @@
 namespace stylet::offline {
 namespace {
 
-constexpr double kSameM = 1e-5;  // nobody draws a wall as thin as this, every writer rounds finer
+constexpr double kSameM = 1e-5;  // thinner than any drawn wall, coarser than any writer's rounding
 
-// What is the same of a contour wherever it begins, whichever way it goes, and if points are
-// repeated.
+// What does not depend on where a contour begins, on its direction, or on repeated points.
 struct Outline {
   Vec low, high, middle;  // middle: of its line
   double area_m2 = 0, line_m = 0;
@@ -56,8 +55,8 @@ bool lies_on(Vec point, const Contour& contour) {
   return false;
 }
 
-// Whether points of each lie on the other: all, or of long contours some, one as far from the next
-// as another, so that time follows the points. (A figure may have the outline of its mirror image.)
+// Whether points of one contour lie on the other: all of them, or some at even distances if there
+// are many, so that time is linear in the points. (Outline alone is the same for a mirror image.)
 bool lie_on_another(const Contour& a, const Contour& b) {
   constexpr std::size_t kMostAsked = 64;
   const std::size_t count = a.points_m.size(), asked = std::min(count, kMostAsked);
@@ -67,8 +66,8 @@ bool lie_on_another(const Contour& a, const Contour& b) {
   return true;
 }
 
-// Where the even-odd rule changes sides in each row: a place between two pixels belongs to the one
-// behind it, and what lies behind all of them to one more.
+// Where each row crosses contours, for the even-odd rule. A crossing between the centres of two
+// pixels belongs to the second one; one beyond all pixels belongs to one more column.
 struct Crossings {
   std::uint32_t columns = 0;         // with that one
   std::vector<char> odd;             // row after row; all 0 between two planes
@@ -139,9 +138,10 @@ Vec area_of(const Contour& contour) {
 }
 
 std::size_t drop_repeated(std::vector<Contour>& contours) {
-  // Where an outline lies in a row of all; near ones are near, so that few are compared. Roots of
-  // primes, as with fractions many of a regular pattern lie at one place of the row. The number is
-  // bounded, as somebody may write any number of contours that differ in the rest.
+  // A number for each outline, nearly the same for nearly the same outlines: sorted by it, only
+  // neighbours are compared. The factors are roots of primes, because with fractions many outlines
+  // of a regular pattern would have one number. How many are compared is bounded, because a file
+  // may hold any number of contours that only differ in what the number leaves out.
   constexpr std::size_t kMostCompared = 256;
   constexpr Vec kOfMiddle{1.41421356, 1.73205081, 2.23606798};
   constexpr Vec kOfLow{2.64575131, 3.31662479, 3.60555128};

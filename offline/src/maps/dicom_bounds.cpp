@@ -20,10 +20,10 @@
 namespace stylet::offline {
 namespace {
 
-// DCMTK warns of each element that is out of order, and has no other way to end its search for
-// their places than an exception from the warning. Its text ends with the element's tag. A writer
-// that has its own order has it in every item; only many different tags can be far from their
-// places, as an item has each once.
+// DCMTK warns of each element that is out of order, and the only way to end its slow search for the
+// right place is an exception from this warning. The warning's text ends with the element's tag.
+// Different tags are counted, not warnings: a writer with an order of its own has it in every item,
+// which is harmless, because an item has each tag only once.
 class OrderWatch : public dcmtk::log4cplus::Appender {
  public:
   ~OrderWatch() override { destructorImpl(); }
@@ -68,8 +68,8 @@ OrderWatch& prepare_library() {
 }
 
 // 200 000 nested levels overflow the stack; no image has more than a handful. Items are found by
-// their tag, wherever its bytes stand; up to kHarmlessItems of them fit the stack even if each is
-// nested in the one before. The smallest item that says something has 18 bytes.
+// the bytes of their tag, which may also stand elsewhere; up to kHarmlessItems fit the stack even
+// if each is nested in the one before. The smallest item with content has 18 bytes.
 void require_flat(const std::string& path) {
   constexpr std::size_t kMostNested = 64, kHarmlessItems = 2000, kHead = 8, kLeastBytes = 16;
   constexpr std::uint32_t kUndefined = 0xFFFFFFFF;

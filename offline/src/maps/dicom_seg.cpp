@@ -77,10 +77,10 @@ std::vector<Plane> planes_of(std::vector<Frame>& frames) {
   return planes;
 }
 
-// Distance of neighbouring planes: as the file says; else that of its frames if it is even; else
-// their thickness, or the usual distance of three and more alike in a row if it is greater
-// (slabs.h): a slice may be thinner than the way to the next. Two frames do not tell it: a lesion
-// may be in two slices far apart.
+// Distance of neighbouring planes: as the file says; else that of its frames if they are evenly
+// spaced; else their thickness or, if it is greater, a distance that occurs three times or more in
+// a row (slabs.h), since slices may be thinner than their distance. Two frames are not enough to
+// tell it: a lesion may be in two slices far apart.
 double plane_step_m(const DicomFile& file, const std::vector<Plane>& planes, Vec normal,
                     std::vector<std::string>& notes) {
   const double told_mm = number_of(file, 0, DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices);

@@ -53,8 +53,8 @@ struct Claim {
 // Refuses a claim that does not fit into `held_bytes`.
 void require_held(const std::string& path, const Claim& claim, std::uint64_t held_bytes);
 
-// How much of a file's `voxels` comes before them, by the skips of a claim; all of it if it has not
-// as much.
+// How many bytes of `voxels` a claim's skips leave out before the voxels; all of them, if there are
+// not so many.
 std::uint64_t skipped_bytes(const Claim& claim, std::string_view voxels);
 
 // Refuses unpacked voxels if there are more than claimed: wrong sizes would shift all of them. Only

@@ -56,7 +56,7 @@ bool read_voxels(_image& image) {
   return whole;
 }
 
-// Needed because CGAL takes a missing spacing for 1 and leaves rotations to its caller.
+// Needed because CGAL takes a missing spacing as 1 and does not apply rotations.
 void check_frame(const std::string& path, const HeaderFields& fields) {
   for (const char* name : {"VX", "VY", "VZ"}) {
     if (!fields.contains(name)) refuse("{}: expected {} in the header of an Inrimage", path, name);

@@ -34,9 +34,9 @@ std::uint64_t bytes_of_type(const std::string& path, const std::string& type) {
   refuse("{}: type: {}: expected whole or real numbers", path, type);
 }
 
-// The next line of a header. For each line teem looks through those before it, so that 2 MB of keys
-// take 6 s and 20 MB ten minutes. A segmentation of 3D Slicer has 9 to 12 lines and 450 bytes for
-// each segment: of kMostLabels it has 6000 lines and 220 kB.
+// The next line of a header, whose length is limited: for each line teem searches all lines before
+// it, so 2 MB of keys take 6 s and 20 MB ten minutes. A segmentation of 3D Slicer has 9 to 12 lines
+// and 450 bytes for each segment: 6000 lines and 220 kB for kMostLabels of them.
 bool next_of_header(const std::string& path, std::string_view& rest, HeaderLine& line,
                     std::size_t& bytes) {
   constexpr std::size_t kMostLines = 16'384, kMostBytes = std::size_t{1} << 21U;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A regular triangulation of CGAL's with its exact duals behind calls, too. Where rounding puts a
-// point of the mesh outside its facet's zone, the mesher asks for it once more in exact numbers.
+// CGAL's regular triangulation, whose exact duals are behind calls as well (exact_geometry.h). The
+// mesher asks for them where rounding has put a point of the mesh outside its facet's zone.
 #pragma once
 
 #include "meshes/exact_geometry.h"

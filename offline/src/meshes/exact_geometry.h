@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The geometry of the triangulations of CGAL's alpha wrap and of its mesher: what needs exact
-// numbers stands behind calls, and is compiled once and apart from both. With it each took 30 s of
-// processor time. Names, arguments and answers are CGAL's: of all its kernel takes,
-// exact_geometry.cpp has what the two ask for. Only for wrap.cpp and implicit_mesh.cpp.
+// The exact arithmetic of the triangulations of CGAL's alpha wrap and of its mesher, behind calls:
+// so it is compiled once. Compiled in wrap.cpp and in implicit_mesh.cpp, it made each of them take
+// 30 s of processor time. Names, arguments and answers are CGAL's; exact_geometry.cpp has only the
+// arguments that these two files use. Nobody else includes this.
 #pragma once
 
 #include <CGAL/Alpha_wrap_3/internal/Alpha_wrap_AABB_traits.h>
@@ -70,15 +70,14 @@ class MeshGeometry : public CgalKernel {
   static Compare_weighted_squared_radius_3 compare_weighted_squared_radius_3_object() { return {}; }
 };
 
-// The ray from the centre of the sphere through four points, away from the last of them and across
-// the plane of the others: what bounds their neighbour at infinity.
+// The ray from the centre of the sphere through four points, square to the plane of the first three
+// and away from the last: the dual of their facet where it has no neighbour but infinity.
 CgalKernel::Ray_3 exact_dual_ray(const CgalBall& p, const CgalBall& q, const CgalBall& r,
                                  const CgalBall& s);
 
 }  // namespace stylet::offline
 
-// CGAL would wrap these in exact constructions of circumcentres once more; theirs are exact
-// already.
+// CGAL would add exact constructions of circumcentres to these geometries. They are exact already.
 template <>
 class CGAL::Robust_circumcenter_filtered_traits_3<stylet::offline::WrapGeometry>
     : public stylet::offline::WrapGeometry {

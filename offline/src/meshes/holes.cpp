@@ -8,7 +8,8 @@ namespace {
 
 using Way = std::vector<std::uint32_t>;  // corners of a hole, each once
 
-// Edges that run more often one way than the other, as often as they do: from corner to corners.
+// The border: from each corner, the corners to which more triangles run than come back from there,
+// each as often as the difference.
 std::map<std::uint32_t, Way> border_of(const std::vector<Triangle>& triangles) {
   std::map<std::array<std::uint32_t, 2>, int> net;
   for (const Triangle& t : triangles) {
@@ -25,8 +26,8 @@ std::map<std::uint32_t, Way> border_of(const std::vector<Triangle>& triangles) {
   return border;
 }
 
-// As many edges of a border lead to a corner as from it. So a walk along it can only end where it
-// was before, and what lies between is a hole.
+// As many edges of a border lead to a corner as away from it. So a walk along it can only end at a
+// corner where it was before, and the part between the two visits is a hole.
 std::vector<Way> closed_ways(std::map<std::uint32_t, Way> border) {
   std::vector<Way> ways;
   for (auto& [start, to] : border) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The holes of a surface, and a patch over each: a fan of triangles from its middle. The patched
-// surface has no border any more, so that it is watertight wherever the surface had only holes.
-// What a patch looks like matters to nobody: it lies where nothing is known.
+// surface has no border left, so it is watertight if holes were all that was wrong. The shape of a
+// patch does not matter, because nothing is known of the surface there.
 //
-// Promises: deterministic; works for any faces, also where they disagree, since the border of
-// oriented triangles always is a set of closed ways. Time: n log n in triangles.
+// Promises: deterministic; works for any faces, even if they disagree, because the border of
+// oriented triangles is always a set of closed paths. Time: n log n in triangles.
 #pragma once
 
 #include "meshes/repair.h"

@@ -19,8 +19,8 @@ constexpr double kFlat = 1e-6;
 // The kernel refuses vertices farther from the origin (kernel/src/needle/obstacle.cpp).
 constexpr double kFarthestM = 10;
 
-// Always from the last corner on: from another the sums round otherwise, and of vertices that are
-// equally far the hulls of organs that were built before would have taken another.
+// Always begins at the last corner: from another corner the sums round differently, so that among
+// equally far vertices another would be chosen, and existing organs would get other hulls.
 std::array<Vec, 3> corners_of(const Mesh& body, const Triangle& t) {
   return {body.points[t[2]], body.points[t[0]], body.points[t[1]]};
 }

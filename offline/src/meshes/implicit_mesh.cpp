@@ -70,7 +70,7 @@ void start_mesh(const Domain& domain, const Kernel::Point_3& inside, double reac
 }  // namespace
 }  // namespace stylet::offline
 
-// Files for whoever debugs the mesher, which ours is given no name for.
+// Writes files for debugging, but only if the mesher is given a name for them; ours is not.
 template <>
 void CGAL::dump_c3t3(const stylet::offline::Complex& /*complex*/, std::string /*name*/) {}
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What CGAL's alpha wrap asks of the triangles that it goes around, for wrap.cpp alone. Its search
-// tree is compiled apart from the wrap itself, which with it took 30 s of processor time. Names,
+// What CGAL's alpha wrap asks about the triangles that it wraps, for wrap.cpp alone. The search
+// tree behind it is compiled here, because wrap.cpp took 30 s of processor time with it. Names,
 // types and answers are those of CGAL's Triangle_soup_oracle.
 #pragma once
 

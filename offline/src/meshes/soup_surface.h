@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What CGAL's alpha wrap does with the triangles that it found, for wrap.cpp alone: compiled apart
-// from it, which is slow to compile as it is.
+// What CGAL's alpha wrap does with the triangles that it found. Only for wrap.cpp, which compiles
+// slowly enough without it.
 #pragma once
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>

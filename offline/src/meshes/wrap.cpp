@@ -14,7 +14,7 @@ using Wrapper = CGAL::Alpha_wraps_3::internal::Alpha_wrap_3<SoupOracle>;
 }  // namespace
 }  // namespace stylet::offline
 
-// Only for wraps that are told to leave out the pass that makes them manifold, which ours are not.
+// CGAL calls this only if it is asked for a surface that need not be a manifold; we never ask.
 // clang-format off
 template <>
 template <>

@@ -12,8 +12,8 @@
 namespace stylet::offline {
 namespace {
 
-// Enough that a volume is known to 2 %, a skin's lack to 0.3 %: the half of a point per face of a
-// box with as many points is the error.
+// Enough to know a volume to 2 % and what a skin lacks to 0.3 %. (The error is half a point on each
+// face of a box that holds this many points.)
 constexpr std::size_t kEnoughInside = 4096;
 constexpr std::uint32_t kMostPoints = 1U << 17U;  // a few seconds where faces do not tell sides
 
@@ -25,7 +25,7 @@ Vec spread_point(std::uint32_t i) {
   return {part(kRoot), part(kRoot * kRoot), part(kRoot * kRoot * kRoot)};
 }
 
-// In how many directions the surface is around the point: all 1, none 0.
+// The fraction of all directions in which the surface lies around the point.
 double enclosed(const TriangleTree& tree, bool closed, Vec point) {
   const double winding = winding_number(tree, point);
   return closed || winding > 0.5 ? winding : std::max(winding, odd_rays(tree, point));
@@ -60,8 +60,8 @@ struct Skin {
   Solid solid;
 };
 
-// Steps grow until the skin stays out; with steps as long as the surface it does, but for what only
-// few directions have around them.
+// Makes steps larger until the skin stays outside. With steps as long as the surface it does,
+// except around points that the surface encloses only in few directions.
 void widen(Skin& skin, const Content& content, double offset_m, const std::string& name,
            std::vector<std::string>& warnings) {
   constexpr double kWider = 1.25;
@@ -86,8 +86,8 @@ void widen(Skin& skin, const Content& content, double offset_m, const std::strin
       step_m * 1e3, 2e3 * gap.most_m, place_of(gap.where_m), skin.step_m * 1e3));
 }
 
-// A skin that is not hollow where the input is not. None goes into a closed surface, and a sheet
-// has nothing to be compared with.
+// A skin that is not hollow where the input is not. No skin enters a closed surface, and a sheet
+// has no inside to compare with: these are not checked.
 Skin sealed(const Solid& solid, const Content& content, double step_m, double offset_m,
             const std::string& name, std::vector<std::string>& warnings) {
   Skin skin{solid.surface, step_m, skin_around(solid.surface, step_m, offset_m)};
@@ -160,7 +160,7 @@ Wrapped wrap(const Solid& solid, const Content& content, double step_m, const st
   if (content.encloses && volume_of(skin.solid) > content.volume_m3 * (1 + kMostOff)) {
     offset_m *= kLess;
     skin.solid = skin_around(skin.mesh, skin.step_m, offset_m);
-    // One that lies closer may go in where the other one just did not.
+    // A skin that lies closer may go in where the first one just did not.
     if (!solid.closed && missing(skin.solid, content.sure) > kMostOff) {
       wrapped.warnings.clear();
       skin = sealed(solid, content, step_m, offset_m, name, wrapped.warnings);
