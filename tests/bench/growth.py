@@ -22,8 +22,8 @@ import tempfile
 # lanes with AVX-512, too: more instructions than with 16, in less time (kernel/decisions/08).
 BUDGET = {"step": {"avx2": 227, "avx512": 162}, "sweep": {"avx2": 125, "avx512": 62}}
 STRAIGHT = 0.10  # largest distance of a point from the line, of the largest count
-SAID = re.compile(r"takes ([\d.]+) instructions a step with AVX2, ([\d.]+) with AVX-512, of which "
-                  r"([\d.]+) and ([\d.]+)\s+are the sweep")
+SAID = re.compile(r"takes ([\d.]+) instructions a voxel with AVX2 and ([\d.]+) with AVX-512\. "
+                  r"The sweep takes ([\d.]+) and ([\d.]+) of these")
 SAID_ARE = [("step", "avx2"), ("step", "avx512"), ("sweep", "avx2"), ("sweep", "avx512")]
 
 

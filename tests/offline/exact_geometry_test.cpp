@@ -218,6 +218,27 @@ TEST(ExactGeometry, CentresOfFourPoints) {
   EXPECT_GT(flat, 20);
 }
 
+// In the plane of the points, whichever of them comes first.
+TEST(ExactGeometry, CentresOfThreePoints) {
+  Draw draw(2);
+  const MeshGeometry::Construct_weighted_circumcenter_3 centre;
+  const WrapGeometry::Construct_circumcenter_3 around;
+  int thin = 0, drawn = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    const bool weighted = draw.coin();
+    Lattice lattice(draw, kNear);
+    const Spots s = lattice.either(3, draw.coin() ? 3 : 2, weighted);
+    if (!spans(s, 2)) continue;
+    ++drawn;
+    const Wholes one = minus(s[1].at, s[0].at), other = minus(s[2].at, s[0].at);
+    thin += size(cross(one, other)) < 0.01L * size(one) * size(other);
+    expect_centre(centre(ball(s[0]), ball(s[1]), ball(s[2])), s, 3, false);
+    if (!weighted) expect_centre(around(point(s[0]), point(s[1]), point(s[2])), s, 3, false);
+  }
+  EXPECT_GT(drawn, kRuns / 2);
+  EXPECT_GT(thin, 20);
+}
+
 TEST(ExactGeometry, RadiiOfTwoPoints) {
   Draw draw(3);
   const MeshGeometry::Compute_squared_radius_smallest_orthogonal_sphere_3 radius;

@@ -15,6 +15,7 @@ import sys
 
 TOLERANCE = 0.01
 README, PROMISES, PHYSICS = "README.md", "kernel/PROMISES.md", "kernel/PHYSICS.md"
+HALVING, CALCULIX = "tests/e2e/halving.md", "tests/fidelity/calculix/README.md"
 
 
 def table(path):
@@ -31,6 +32,34 @@ def constant(path, name):
     return getattr(module, name)
 
 
+def columns(path, head, wanted):
+    """The numbers in these columns of the first table whose first column has this head."""
+    found = []
+    for line in path.read_text().partition(f"\n| {head} |")[2].splitlines()[2:]:
+        cells = line.strip("|").split("|")
+        if len(cells) <= max(wanted):
+            break
+        found.append([float(cells[column].strip(" %")) if cells[column].strip() else None
+                      for column in wanted])
+    return [[each for each in column if each is not None] for column in zip(*found)]
+
+
+def rows_of_tables(top):
+    """As rows: what the tables of validation repeat of other documents' tables."""
+    voxel, unit, step = columns(top / HALVING, "scene", (2, 3, 4))
+    yield PHYSICS, r"unit ([\d.]+) to ([\d.]+) %, step ([\d.]+) to ([\d.]+) % \(H\)", [
+        min(unit), max(unit), min(step), max(step)]
+    yield PHYSICS, r"\| ([\d.]+) to ([\d.]+) % \(H\)", [min(voxel), max(voxel)]
+    *forces, probe, other_probe = columns(top / CALCULIX, "body", (2, 3, 4, 5))
+    forces, probes = sum(forces, []), probe + other_probe
+    yield PHYSICS, (r"force −([\d.]+) to \+([\d.]+) %, worst probe "
+                    r"\+([\d.]+) / −([\d.]+) % \(C\)"), [
+        -min(forces), max(forces), max(probes), -min(probes)]
+    said = re.search(r"(\d+) bytes at most, (\d+) used", (top / README).read_text())
+    yield (PROMISES, r"(\d+) bytes on the longest path, without recursion; (\d+) were used",
+           [int(number) for number in said.groups()] if said else [])
+
+
 def rows(top):
     """(document, expression whose groups are numbers it repeats, what they should be)"""
     costs = table(top / "tests/rt/costs.txt")
@@ -43,6 +72,7 @@ def rows(top):
     budget = constant(top / "tests/bench/growth.py", "BUDGET")
     budgets = [budget[what][of] for what in ("step", "sweep") for of in ("avx2", "avx512")]
     yield README, r"the test allows (\d+), (\d+), (\d+) and (\d+)\.", budgets
+    yield from rows_of_tables(top)
     yield ("tests/README.md", r"the budget of a step \((\d+) a voxel with AVX2, (\d+) with added",
            [budget["step"]["avx2"], budget["sweep"]["avx2"]])
 

@@ -355,6 +355,12 @@ class Repeated(Sample):
         path = self.write("costs.txt", "# scene worst\nfig-02 1204 -3\nworst 7 8\n")
         self.assertEqual(repeated.table(path), {"fig-02": [1204, -3], "worst": [7, 8]})
 
+    def test_reads_columns_of_a_documents_table(self):
+        path = self.write("b.md", "# b\n\n| other |\n| --- |\n| 9 |\n\n| scene | n | change |\n"
+                          "| --- | --- | --- |\n| fig-02 | 1.5 | +0.7 % |\n| fig-04 | | -2 % |\n\n"
+                          "| scene |\n| 8 |\n")
+        self.assertEqual(repeated.columns(path, "scene", (1, 2)), [[1.5], [0.7, -2]])
+
     def test_names_line_text_and_number_of_what_is_stale_and_mends_it(self):
         text, faults = self.faults("a\nb: dearest 1191, bound 1.40 G.\n")
         self.assertEqual(text, "a\nb: dearest 1204, bound 1.54 G.\n")
@@ -413,7 +419,7 @@ class Promises(Sample):
                           ("2026-01-02: 2 passed", False), ("2026-01-03: x failed", False)):
             with self.subTest(had):
                 before = self.EMPTY.replace("| --- | --- | --- |", "| --- | --- | --- |\n| no call "
-                                            f"that may wait | `rt.rtsan.*` | {had} |")
+                                            f"that may block | `rt.rtsan.*` | {had} |")
                 row = had if kept else "2026-01-03: 1 passed, 1 not run"
                 self.assertIn(f"| `rt.rtsan.*` | {row} |", self.table(before))
 
