@@ -56,7 +56,7 @@ std::string data_folder(const fs::path& scenes) {
   return fs::weakly_canonical(scenes / "../../../shared/data").string();
 }
 
-// What stands behind the recipe's mark; empty: there is no recipe.
+// The text after the recipe's mark; empty: there is no recipe.
 std::string recipe_of(const std::string& scene_text) {
   std::istringstream lines(scene_text);
   for (std::string line; std::getline(lines, line);) {

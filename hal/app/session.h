@@ -93,7 +93,7 @@ struct Attempt {
 
   hal::LoopState state;
   hal::Display* display = nullptr;  // null: no display
-  std::string recording;            // empty: no recording; finish_recording sets what came of it
+  std::string recording;            // empty: no recording; finish_recording sets the name it got
   hal::OutputName recording_name;   // if that name is taken in the end
   std::string trainee;              // for the recording; empty: not told
   std::unique_ptr<hal::RecorderProcess> recorder;

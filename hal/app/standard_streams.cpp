@@ -18,7 +18,7 @@ constexpr int kLookMs = 100, kPatienceMs = 1000;
 
 struct Stream {
   int file;
-  bool drops;          // what cannot be written is no error
+  bool drops;          // dropping what cannot be written is not an error
   int waited_ms = 0;   // since the end was asked for
   bool bound = false;  // the standard stream is this one
 };

@@ -42,7 +42,7 @@ class Follower {
 
  private:
   // Copies what the writer may be writing just now; whether it is whole is checked afterwards.
-  // So this is no race that a sanitizer should report.
+  // So a sanitizer should not report this as a race.
   __attribute__((no_sanitize("thread"))) static void copy(const T& from, T& to) {
     const auto* bytes = reinterpret_cast<const volatile unsigned char*>(&from);
     auto* out = reinterpret_cast<unsigned char*>(&to);

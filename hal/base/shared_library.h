@@ -10,7 +10,7 @@ namespace stylet::hal {
 struct LoadedLibrary {
   void* handle = nullptr;  // null: it could not be loaded
   std::string why;         // in the loader's words
-  bool was_there = false;  // it is found, and lacks something or is no library
+  bool was_there = false;  // it was found, but lacks something or is not a library
 };
 
 // `file`: a name where the loader looks, or a path.

@@ -131,8 +131,7 @@ void follow_button(const GuardConfig& config, GuardState& state) {
   if (state.mode == GuardMode::kUnarmed && held && state.have_pose != 0) {
     state.mode = GuardMode::kRamp;
     state.ramp_ns = 0;
-    state.step_ns =
-        std::min(state.step_ns, in_ns(config.period_s));  // what was before is none of it
+    state.step_ns = std::min(state.step_ns, in_ns(config.period_s));  // earlier time does not count
     state.buzz = {};
   }
   if (is_armed(state.mode) && !held) begin_fade(state, GuardMode::kRelease);

@@ -43,7 +43,7 @@ constexpr std::int64_t kMostJumpedNs = 20'000'000;  // of jumps, less a part of 
 constexpr std::int64_t kJumpedPart = 10;            // that part
 // When this much time is lost the guard latches Fault::kTooLate: lost at once, or bit by bit if not
 // made up for. Each tick in time makes up for half a period: so a loop must not lose more than a
-// third of its ticks for long. A sample that is so far ahead of its tick is none.
+// third of its ticks for long. A sample that is so far ahead of its tick does not count.
 constexpr std::int64_t kMaxLateNs = 20'000'000;
 constexpr std::int64_t kLostTicksPart = 2;
 

@@ -17,7 +17,7 @@ constexpr double kPassivityShare = 0.5, kBuzzShare = 0.1;
 // The stiffest coupling at the needle with which the device feels no more than `limit_n_per_m`.
 float most_coupling(float limit_n_per_m, const GripConfig& grip);
 
-// A device without force keeps what is configured, but for the time between its samples.
+// A device without force keeps what is configured, except the time between its samples.
 void fit_to_device(const DeviceInfo& info, const GripConfig& grip, GuardConfig& guard,
                    CouplingConfig& coupling);
 

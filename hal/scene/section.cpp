@@ -9,8 +9,8 @@
 namespace stylet::hal {
 namespace {
 
-// Lists are written here: toml++ 3.3 can write them too, but for the width it first converts the
-// logarithm of each number to an integer, which cannot hold it for numbers below 1.
+// Lists are written here: toml++ 3.3 can write them too, but to find the width it first converts
+// the logarithm of each number to an integer, which cannot hold it for numbers below 1.
 std::string value_text(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (const toml::array* list = node.as_array()) {

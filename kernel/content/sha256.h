@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SHA-256 of pieces in a row, by whoever has it on the system.
+// SHA-256 of pieces one after another, by a library of the system.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Builds the organ of one patient and writes down what came of it.
+"""Builds the organ of one patient and writes down the result.
 
 usage: build_one.py OUT PATIENT ATTEMPTS_LEFT COMMAND...
        build_one.py OUT PATIENT ATTEMPTS_LEFT --refused NAME REASON

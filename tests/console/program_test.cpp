@@ -184,7 +184,7 @@ TEST(Program, AttemptsGiveTheBitsOfARunWithoutConsole) {
   const Hello* hello = client.next_of<Hello>(Body::Hello);
   ASSERT_NE(hello, nullptr);
   EXPECT_EQ(hello->scene()->str(), "first.toml");
-  ASSERT_EQ(hello->scenes()->size(), 2U);  // tissues.toml is none
+  ASSERT_EQ(hello->scenes()->size(), 2U);  // tissues.toml is not a scene
   ASSERT_EQ(hello->targets()->size(), 1U);
   EXPECT_EQ(hello->targets()->Get(0)->name()->str(), "middle");
   for (std::uint32_t attempt = 1; attempt <= 2; ++attempt) {
@@ -203,7 +203,7 @@ TEST(Program, AttemptsGiveTheBitsOfARunWithoutConsole) {
   EXPECT_EQ(final_hash(program.at("out-2.h5")), expected);
 }
 
-// A run without end, but for --duration-s: some seconds by the clock on the wall, fewer than
+// A run that ends only by --duration-s: some seconds by the clock on the wall, fewer than
 // hal::kSidePatienceS, after which a page that is stopped is ended. The thread sanitizer takes
 // longer for each.
 #if defined(__SANITIZE_THREAD__)

@@ -353,7 +353,7 @@ speed_mm_s = 25
             call("stylet-organ", "info", self.top / "patient.organ", "--json").stdout)["materials"]]
 
     def test_biopsy_scene_runs_in_the_patient(self):
-        """The trainer's scene as it is, but for the organ and the way in."""
+        """The trainer's scene as it is, except for the organ and the way in."""
         names = self.build(voxel_mm=6)
         text = (SOURCE / "hal/scenes/liver-biopsy.toml").read_text()
         for old, new in (('path = "liver-biopsy.organ"', 'path = "patient.organ"'),

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                     "a mesh larger than its file");
       for (const offline::Triangle& triangle : mesh.triangles) {
         for (const std::uint32_t corner : triangle) {
-          test::promise(corner < mesh.points.size(), "a corner that is no point");
+          test::promise(corner < mesh.points.size(), "a corner that is not a point of the mesh");
           test::promise(offline::finite(mesh.points[corner]), "a corner that is not finite");
         }
       }

@@ -157,8 +157,8 @@ struct Listening {
     (void)note_of(device);
     while (const auto sent = received(ends.theirs)) {
       ForcePacket force;
-      promise(decode(*sent, force), "what is sent is no packet");
-      promise_force(force.model.force_n, kMostN, "what is sent is no force");
+      promise(decode(*sent, force), "what is sent is not a packet");
+      promise_force(force.model.force_n, kMostN, "what is sent is not a force");
       promise(std::isfinite(size_of(force.model.at_m)), "a force is nowhere");
       promise(force.life_ns >= 0 && force.life_ns <= kForceLifeNs, "a force lives too long");
     }

@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     test::promise(
         std::isfinite(recipe.crop_margin_m) && recipe.crop_margin_m >= 0 && recipe.smoothing >= 0,
-        "a recipe with a number that is none");
+        "a recipe with a number that is not finite");
     for (const offline::WallLayer& layer : recipe.wall) {
       test::promise(std::isfinite(layer.thickness_m) && layer.thickness_m >= 0,
                     "a wall of no thickness");

@@ -161,7 +161,7 @@ struct Change {
   Verdict expected;
   std::string value;  // part of what the finding shows
 };
-// The ready machine but for one file: its check says so, and no other.
+// The ready machine except for one file: its check says so, and no other.
 void expect_seen_by_its_check_alone(const Change& change) {
   SCOPED_TRACE(change.check + ": " + change.path + ": " + change.text);
   Machine machine("ready.tree");

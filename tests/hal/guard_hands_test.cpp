@@ -157,7 +157,7 @@ TEST(GuardHands, SamplesToAndFroWithinTheJumpLimitAreAFault) {
   EXPECT_GT(slowest, 25) << "none was near the limit";
 }
 
-// One sample astray within the limit, and back, is none of these.
+// A single wrong sample within the limit is none of these faults.
 TEST(GuardHands, OneSampleAstrayIsForgiven) {
   Draw draw{std::mt19937_64(23)};
   for (int session = 0; session < 500; ++session) {

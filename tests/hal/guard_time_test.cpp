@@ -121,7 +121,7 @@ TEST(GuardTime, AClockThatStandsMakesNothingGrowAndIsSoonAFault) {
   }
 }
 
-// One of two ticks at the same time, as with a clock of milliseconds, is none.
+// A second tick at the same time, as with a clock of milliseconds, does not count.
 TEST(GuardTime, AClockOfCoarseStepsIsOne) {
   Draw draw{std::mt19937_64(3)};
   for (int session = 0; session < 50; ++session) {

@@ -120,7 +120,7 @@ class PeerHand {
     ForcePacket packet;
     while (const auto got = link.receive(link.self, room)) {
       if (!decode(std::span(room).first(*got), packet)) continue;
-      // Hands of these sessions are on one axis, but for samples that nobody should use.
+      // Hands of these sessions are on one axis, except for samples that nobody should use.
       const Vec3 place = packet.model.at_m;
       strange_place |= place.x != 0 || place.y != 0 || !std::isfinite(place.z);
       (void)obey(obeyed_, packet, now_ns);

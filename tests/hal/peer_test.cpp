@@ -153,8 +153,8 @@ struct Wire {
 };
 
 // Ten minutes of a sender whose clock began elsewhere and runs faster or slower by so much. Every
-// eighth packet takes 0.2 ms, the others up to 7 ms more. The time of a sample is right but for the
-// shortest way and for what the clocks may drift apart until the next short one.
+// eighth packet takes 0.2 ms, the others up to 7 ms more. The time of a sample is right except for
+// the shortest way and for what the clocks may drift apart until the next short one.
 TEST(Peer, TimeOfASampleIsThatOfItsTakingWhateverTheWay) {
   for (const double drift : {-800e-6, -50e-6, 50e-6, 800e-6}) {
     Wire wire;

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The installed program: all that it reads is there, its scenes are run by name from anywhere, and
-their organs are made on first use, but for the phantom that is installed.
+their organs are made on first use, except the phantom that is installed.
 
 usage: installed_test.py    with STYLET_BUILD and STYLET_SOURCE in the environment
 """

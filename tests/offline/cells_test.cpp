@@ -87,7 +87,7 @@ TEST(Gaps, AreWhereNoWiderCubeFitsBetweenOrgans) {
   for (int round = 0; round < 120; ++round) {
     const Claims before = drawn_claims(draw);
     const int gap = static_cast<int>(draw.below(4));
-    // In whole cells; a width that is one but for rounding is.
+    // In whole cells; so is a width that rounding has made a little less than one.
     const double width = gap + (draw.coin() ? draw.between(0, 0.99) : draw.between(-1e-6, 1e-6));
     Claims claims = before;
     const std::size_t added = offline::fill_gaps(claims, width * claims.grid.edge_m, 7);

@@ -80,7 +80,7 @@ TEST(NrrdHeader, HasLinesAndBytesThatAreBounded) {
     const std::string expected = fmt::format("at most {} lines", kMostLines);
     EXPECT_THAT(said(lines + "# b\n# c\n# d\n"), HasSubstr(expected));
     EXPECT_THAT(said(files + "a.raw\na.raw\n"), HasSubstr(expected));
-    const std::size_t before = nrrd_of(1, "").size() - 2;  // but for the voxel
+    const std::size_t before = nrrd_of(1, "").size() - 2;  // without the voxel
     const std::string start = draw.coin() ? "# " : "key:=";
     const std::string full = start + std::string(kMostBytes - before - start.size() - 1, 'x');
     EXPECT_EQ(said(full + "\n"), "");

@@ -90,7 +90,7 @@ class Case(unittest.TestCase):
             self.assertIn(word, lines[0])
         self.assertEqual(self.state(), before)
 
-    # What each command reads, and its words but for one output, which is put in for "OUT".
+    # What each command reads, and its words except one output, which is put in for "OUT".
     COMMANDS = [
         (["cube.off"], ["build", "cube.off", "-o", "OUT"]),
         (["cube.off", "own.toml"], ["build", "cube.off", "--materials", "own.toml", "-o", "OUT"]),

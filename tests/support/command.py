@@ -15,5 +15,5 @@ def run(*command, status=0, stderr=subprocess.STDOUT, timeout=1800, **more):
 
 
 def output(*command, **more):
-    """What it printed, but for errors."""
+    """What it printed, without errors."""
     return run(*command, stderr=subprocess.PIPE, **more)

@@ -52,7 +52,7 @@ TEST(Snapshot, RefusesOtherOrgansConfigsSizesAndBytes) {
   EXPECT_EQ(restore(p.b.kernel, std::span(saved).first(saved.size() - 1)),
             Status::kSnapshotDoesNotMatch);
   EXPECT_EQ(restore(p.b.kernel, {}), Status::kSnapshotDoesNotMatch);
-  for (std::size_t at = 0; at < 40; ++at) {  // the header, but for the checksum
+  for (std::size_t at = 0; at < 40; ++at) {  // the header, without the checksum
     std::vector<std::byte> damaged = saved;
     damaged[at] ^= std::byte{1};
     EXPECT_EQ(restore(p.b.kernel, damaged), Status::kSnapshotDoesNotMatch) << at;

@@ -120,11 +120,10 @@ struct MaterialModel {
 // Where the paper's rules differ from the physical model (PHYSICS 16). Filled once from
 // Config::mode: functions ask for the rule, not for the mode.
 struct Rules {
-  bool one_support;  // one voxel holds a CP; else the eight around it, and those of two layers
-  bool
-      voxel_springs;  // a CP's spring is its voxel's; else what the lattice leaves to it
-  bool relaxes;       // a CP's force relaxes, and its spring has a compliance along the needle
-  bool contact_law;   // contact follows the law of cone and film; else a CP's spring
+  bool one_support;       // one voxel holds a CP; else the eight around it, and those of two layers
+  bool voxel_springs;     // a CP's spring is its voxel's; else what the lattice leaves to it
+  bool relaxes;           // a CP's force relaxes, and its spring has a compliance along the needle
+  bool contact_law;       // contact follows the law of cone and film; else a CP's spring
   bool unit_punctures;    // a surface breaks once a needle unit is inside; else at its force
   bool layer_punctures;   // layers inside must be punctured, too
   bool unit_slips;        // a CP moves by whole needle units; else exactly back to its limit
@@ -408,7 +407,7 @@ struct ScratchHead {
   F(loads, RodLoads, 1)                                                               \
   /* rod: the rods' equilibrium at work */                                            \
   F(rod, RodScratch, 1)                                                               \
-  /* rod_result: what came of it */                                                   \
+  /* rod_result: the result of it */                                                  \
   F(rod_result, RodResult, 1)                                                         \
   /* touch: touches of this tick, before they are kept */                             \
   F(touch, Touch, kMaxTouches)

@@ -25,7 +25,7 @@ BLOCK = np.ones((8, 8, 8), np.uint8)             # 60 mm
 
 
 def organ_of(youngs_modulus_pa, puncture_force_n, friction_n_per_m):
-    """The block, of liver but for these; it sticks with a fifth more than it slides, as liver."""
+    """The block: liver, except for these numbers; it sticks with a fifth more than it slides."""
     tissue = {**stylet_organ.TISSUES["liver"], "youngs_modulus_kpa": 1e-3 * youngs_modulus_pa,
               "puncture_force_n": puncture_force_n,
               "coulomb_friction_n_per_mm": 1e-3 * friction_n_per_m,

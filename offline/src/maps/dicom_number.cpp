@@ -33,7 +33,8 @@ std::string shown(std::string_view text) {
   return printable(head) + (without_blanks(text).size() > kMost ? "..." : "");
 }
 
-// The first value of a list, without what follows. One that does not end in time is no number.
+// The first value of a list, without what follows. A value that does not end within
+// kMostNumberBytes is not a number.
 std::string_view first_of(std::string_view list) {
   const std::string_view head = list.substr(0, kMostNumberBytes + 1);
   return head.substr(0, head.find('\\'));

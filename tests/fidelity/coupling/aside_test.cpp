@@ -88,8 +88,8 @@ TEST(Aside, AThrownTipHoldsWhatItComesToWithoutForce) {
     EXPECT_GT(norm_of(residual(thrown.before)), 0.9 * static_cast<double>(aside_m));
     EXPECT_LT(norm_of(residual(thrown.tip())), 1e-6);
     EXPECT_LT(norm_of(thrown.tip().position_m - thrown.tip_m), 1e-6);
-    // It holds the place at which it is, but for what the attached tissue gives, and its gradient
-    // over the way.
+    // It holds the place at which it is, except for what the attached tissue gives, and its
+    // gradient over the way.
     const Vec3 held_m = thrown.before.position_m - residual(thrown.before);
     const double gives_m = norm_of(held_m - unloaded_place(thrown.rig.view().model, thrown.before));
     const double edges = static_cast<double>(aside_m) / static_cast<double>(kEdgeM);

@@ -231,7 +231,7 @@ TEST_F(V24Energy, KernelsStoredEnergyIsTheTextbooks) {
   EXPECT_LT(worst, 1e-5 * most) << "at tick " << at << " of " << most << " J";
 }
 
-// None of the losses falls, but for the last place of a float: springs hold up to 3e-4 J here.
+// None of the losses falls, except by the last place of a float: springs hold up to 3e-4 J here.
 TEST_F(V24Energy, NothingIsEverUndissipated) {
   constexpr double kRoundingJ = 1e-11;
   for (std::size_t i = 1; i < books_->size(); ++i) {

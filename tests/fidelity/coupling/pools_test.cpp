@@ -185,7 +185,7 @@ TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
   const int first = whole_particles(rig.view()), all = complete_particles(rig.view());
   const int second = whole_particles(needle_view(rig.view(), 1));
   EXPECT_GT(first, 90);
-  EXPECT_LE(all - first, 1) << "but for the entry, at the edge of the tissue";
+  EXPECT_LE(all - first, 1) << "except the entry, at the edge of the tissue";
   EXPECT_LT(second, first - 20) << "the second has half of its voxels with the first";
   (void)complete_particles(needle_view(rig.view(), 1));
   // The first needle goes: the second holds all that it had lost again.

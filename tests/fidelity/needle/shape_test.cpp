@@ -13,7 +13,8 @@ namespace {
 constexpr double kLength = 0.12, k22G = 2.318e-3;
 constexpr std::uint32_t kRods = 60;
 
-// Straight but for the last third, which bends to the handle's x by the same angle at each joint.
+// Straight except for the last third, which bends to the handle's x by the same angle at each
+// joint.
 std::vector<RodKink> bent_tip(double kink_rad) {
   std::vector<RodKink> rest(kRods);
   for (std::uint32_t j = 40; j < kRods; ++j) rest[j] = {std::sin(kink_rad), 0};

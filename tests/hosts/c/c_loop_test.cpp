@@ -29,7 +29,7 @@ GuardHandle c_guard(const stylet_guard_config& config) {
   return GuardHandle(made);
 }
 
-// Sessions with silence, jumps, numbers that are none, forces that are too large, late ticks.
+// Sessions with silence, jumps, numbers that are not finite, forces that are too large, late ticks.
 TEST(CGuard, DrawnSessionsAreThoseOfTheGuard) {
   Draw draw(31);
   for (int session = 0; session < 40; ++session) {
