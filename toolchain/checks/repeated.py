@@ -32,6 +32,12 @@ def constant(path, name):
     return getattr(module, name)
 
 
+def bytes_of(path, block):
+    """Model, state and scratch in the row of memory.txt for this block."""
+    row = re.search(rf"^{block} (\d+) (\d+) (\d+)", path.read_text(), re.M)
+    return [int(number) for number in row.groups()]
+
+
 def columns(path, head, wanted):
     """The numbers in these columns of the first table whose first column has this head."""
     found = []
@@ -58,6 +64,11 @@ def rows_of_tables(top):
     said = re.search(r"(\d+) bytes at most, (\d+) used", (top / README).read_text())
     yield (PROMISES, r"(\d+) bytes on the longest path, without recursion; (\d+) were used",
            [int(number) for number in said.groups()] if said else [])
+    for edge in (2, 46):
+        block = f"{edge} {edge} {edge} 1 0"
+        yield (PROMISES, rf"\| {block[:-4].replace(' ', ' × ')} voxels[^|]*"
+               r"\| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|",
+               [each / 1e6 for each in bytes_of(top / "tests/rt/memory.txt", block)])
 
 
 def rows(top):
