@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every scene of hal/scenes with a real device's dynamics: does it buzz, does it make energy?
 
-    tests/e2e/limit_cycles.py [--model MODEL]... [SCENE...]
+    tests/e2e/limit_cycles.py [--write] [--model MODEL]... [SCENE...]
 
-runs each scene on a virtual clock with `device.model` set and prints a line for hal/guard/GUARD.md:
+runs each scene on a virtual clock with `device.model` set and prints the line that hal/guard/GUARD.md
+has of it; --write puts the lines there:
 
     ripple   largest amplitude of the force sent above 20 Hz, of what it may be: 20 mN, or 5 % of
              the force, less than anybody feels; in any 0.2 s without a step in it or in the 0.1 s
@@ -34,6 +35,7 @@ sys.path.insert(0, str(HERE.parents[1] / "hal/scenes"))
 
 import play  # noqa: E402
 
+PAGE = HERE.parents[1] / "hal/guard/GUARD.md"
 MODELS = ("touch", "omega.7")
 ABOVE_HZ = 20
 BAR_N, BAR_SHARE = 0.02, 0.05
@@ -163,13 +165,25 @@ def line_of(name, measured):
     return f"| {name} | {' | '.join(cells)} | {seen:.0%} | {1e6 * energy_j:.2g} | {faults} |"
 
 
+def write(name, line):
+    """Puts a scene's line in the place of the one that the page has."""
+    text, count = re.subn(rf"^\| {re.escape(name)} \|.*$", lambda _: line, PAGE.read_text(),
+                          flags=re.MULTILINE)
+    if count != 1:
+        raise RuntimeError(f"{PAGE}: {count} lines of {name}: expected one")
+    PAGE.write_text(text)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--model", action="append")
+    parser.add_argument("--write", action="store_true")
     parser.add_argument("scene", nargs="*", metavar="SCENE", choices=[[], *play.scene_names()])
     options = parser.parse_args()
     models = options.model or MODELS
+    if options.write and models != MODELS:
+        parser.error(f"--write: expected no --model: the page has {' and '.join(MODELS)}")
     print(f"| scene | {' | '.join(f'{model}: ripple, mN' for model in models)} | seen "
           f"| least energy, uJ | faults |\n{'| --- ' * (len(models) + 4)}|")
     with tempfile.TemporaryDirectory() as folder:
@@ -180,6 +194,8 @@ def main():
                 print(f"| {name} | skipped: {missing} |")
                 continue
             print(line_of(name, measured), flush=True)
+            if options.write:
+                write(name, line_of(name, measured))
 
 
 if __name__ == "__main__":
