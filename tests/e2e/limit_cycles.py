@@ -4,8 +4,8 @@
 
     tests/e2e/limit_cycles.py [--write] [--model MODEL]... [SCENE...]
 
-runs each scene on a virtual clock with `device.model` set and prints the line that hal/guard/GUARD.md
-has of it; --write puts the lines there:
+runs each scene on a virtual clock with `device.model` set and prints the line that
+hal/guard/GUARD.md has of it; --write puts the lines there:
 
     ripple   largest amplitude of the force sent above 20 Hz, of what it may be: 20 mN, or 5 % of
              the force, less than anybody feels; in any 0.2 s without a step in it or in the 0.1 s
