@@ -35,6 +35,25 @@ def install(prefix, *components):
                        check=True, capture_output=True)
 
 
+def anchors(page):
+    """The names that a forge gives a page's headings."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.S | re.M)
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+            for heading in re.findall(r"^#+ +(.+)$", text, re.M)}
+
+
+def dead_links(top):
+    """Links of the pages below a folder that lead nowhere in it."""
+    for page in sorted(top.rglob("*.md")):
+        for number, line in enumerate(page.read_text().splitlines(), 1):
+            for link in re.findall(r"\]\((?!\w+:)([^)\s]+)\)", line):
+                name, _, anchor = link.partition("#")
+                there = (page.parent / name).resolve() if name else page
+                if (not there.exists() or top not in there.parents or
+                        anchor and anchor not in anchors(there)):
+                    yield f"{page.relative_to(top)}:{number}: {link}"
+
+
 class Installed(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -176,6 +195,31 @@ class Installed(unittest.TestCase):
         report = json.loads(self.call("run", "lumbar-puncture", "--fast", "--duration-s", "0.5",
                                       "--json").stdout)
         self.assertTrue(re.fullmatch(r"[0-9a-f]{16}", report["state_hash"]))
+
+
+class Pages(unittest.TestCase):
+    """All that is installed, of every component."""
+
+    def test_link_to_what_is_installed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            prefix = pathlib.Path(folder).resolve() / "prefix"
+            subprocess.run(["cmake", "--install", BUILD, "--prefix", prefix], check=True,
+                           capture_output=True)
+            self.assertEqual(list(dead_links(prefix)), [])
+            page = prefix / "share/stylet/README.md"
+            links = re.findall(r"\]\((?!\w+:)([^)\s]+\.md)\)", page.read_text())
+            self.assertGreater(len(links), 10)
+            (page.parent / links[0]).unlink()  # which has to be noticed
+            self.assertIn(f": {links[0]}", "\n".join(dead_links(prefix)))
+
+    def test_anchors_are_a_forge_s(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder).resolve() / "page.md"
+            page.write_text("# Build it: by `make`!\n```\n# none\n```\n[a](#build-it-by-make)\n"
+                            "[b](#none) [c](page.md#build-it-by-make) [d](https://a.b/c#d)\n"
+                            "[e](../outside) [f](other.md)\n")
+            self.assertEqual(list(dead_links(page.parent)), [
+                "page.md:6: #none", "page.md:7: ../outside", "page.md:7: other.md"])
 
 
 if __name__ == "__main__":

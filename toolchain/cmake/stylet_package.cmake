@@ -53,5 +53,13 @@ string(REGEX REPLACE "/$" "" prefix_of_pc "${prefix_of_pc}")
 configure_file(toolchain/cmake/stylet.pc.in ${PROJECT_BINARY_DIR}/stylet.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/stylet.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(FILES README.md CHANGELOG.md LICENSE
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/stylet COMPONENT doc)
+# What these pages and those of hal and offline link to; the test hosts.installed follows each link.
+foreach(page README.md CHANGELOG.md CONTRIBUTING.md GLOSSARY.md LICENSE kernel/README.md
+    kernel/PHYSICS.md kernel/PROMISES.md kernel/constants.md tests/README.md tests/golden/README.md
+    tests/rt/README.md tests/simulator/README.md tests/e2e/halving.md
+    tests/fidelity/calculix/README.md tests/fidelity/calculix/convergence.svg
+    toolchain/README.md toolchain/RELEASE.md)
+  cmake_path(GET page PARENT_PATH folder)
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DATADIR}/stylet/${folder} COMPONENT doc)
+endforeach()
+install(DIRECTORY kernel/decisions DESTINATION ${CMAKE_INSTALL_DATADIR}/stylet/kernel COMPONENT doc)
