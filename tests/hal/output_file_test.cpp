@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,38 +19,7 @@
 #include <string>
 #include <vector>
 
-// File systems that can do less: NFS and FUSE cannot refuse to replace, folders that a virtual
-// machine shares know no second names. The system's calls are ours here, and refuse as those do.
-namespace {
-
-bool refuses_to_replace = true, links = true;
-
-struct FileSystem {
-  FileSystem(bool refuses_to_replace_in, bool links_in) {
-    refuses_to_replace = refuses_to_replace_in;
-    links = links_in;
-  }
-  ~FileSystem() { refuses_to_replace = links = true; }
-};
-
-}  // namespace
-
-extern "C" int renameat2(int from_folder, const char* from, int to_folder, const char* to,
-                         unsigned flags) noexcept {
-  if (!refuses_to_replace && flags != 0) {
-    errno = EINVAL;
-    return -1;
-  }
-  return static_cast<int>(::syscall(SYS_renameat2, from_folder, from, to_folder, to, flags));
-}
-
-extern "C" int link(const char* from, const char* to) noexcept {
-  if (!links) {
-    errno = EPERM;
-    return -1;
-  }
-  return static_cast<int>(::syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
-}
+#include "file_system.h"
 
 namespace stylet::hal {
 namespace {
@@ -113,7 +81,7 @@ TEST(OutputFile, NamesAreFree) {
 TEST(OutputFile, NamesThatAreTakenMeanwhileReplaceNothing) {
   std::mt19937 random(8);
   for (int round = 0; round < 90; ++round) {
-    const FileSystem system(round % 3 == 0, round % 3 != 2);
+    const test::FileSystem system(round % 3 == 0, round % 3 != 2);
     const fs::path folder =
         fs::temp_directory_path() / ("stylet-names-" + std::to_string(getpid()));
     fs::create_directories(folder);

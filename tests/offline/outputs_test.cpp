@@ -19,33 +19,16 @@
 #include <vector>
 
 #include "base/refusal.h"
+#include "file_system.h"
 #include "offline_support.h"
 
 namespace {
 
-bool exchanges = true, links = true;
 int renames_left = -1;  // -1: as many as are wanted
 std::mt19937 disk(5);
 bool takes_pieces = false;  // a call writes some bytes of what it is given, or a signal ends it
 
 }  // namespace
-
-extern "C" int renameat2(int from_folder, const char* from, int to_folder, const char* to,
-                         unsigned flags) noexcept {
-  if (!exchanges && flags != 0) {
-    errno = EINVAL;
-    return -1;
-  }
-  return static_cast<int>(::syscall(SYS_renameat2, from_folder, from, to_folder, to, flags));
-}
-
-extern "C" int link(const char* from, const char* to) noexcept {
-  if (!links) {
-    errno = EPERM;
-    return -1;
-  }
-  return static_cast<int>(::syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
-}
 
 extern "C" int rename(const char* from, const char* to) noexcept {
   if (renames_left == 0) {
@@ -69,13 +52,10 @@ extern "C" ssize_t write(int file, const void* bytes, std::size_t size) {
 namespace stylet::test {
 namespace {
 
-struct FileSystem {
-  FileSystem(bool exchanges_files, bool links_files) {
-    exchanges = exchanges_files;
-    links = links_files;
-  }
-  ~FileSystem() {
-    exchanges = links = true;
+// Ends with its test, however that ends.
+struct Disk {
+  FileSystem files;
+  ~Disk() {
     renames_left = -1;
     takes_pieces = false;
   }
@@ -96,7 +76,7 @@ TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
   int failed = 0, complete = 0;
   for (int round = 0; round < 400; ++round) {
     const bool has_links = engine() % 2 == 0;
-    const FileSystem system(engine() % 4 == 0, has_links);
+    const Disk system = {{engine() % 4 == 0, has_links}};
     const Scratch scratch;
     const int count = 1 + static_cast<int>(engine() % 4);
     std::vector<std::filesystem::path> paths;
@@ -218,7 +198,7 @@ TEST(Outputs, WhatKilledCommandsLeftIsRemovedByTheNext) {
 }
 
 TEST(Outputs, EveryByteIsWrittenHoweverFewAreTakenAtOnce) {
-  const FileSystem system(true, true);
+  const Disk system = {{true, true}};
   for (std::size_t size = 0; size < 80; ++size) {
     const Scratch scratch;
     std::string bytes(size, '\0');
