@@ -330,6 +330,12 @@ constexpr Backend kBackends[] = {{"hd", hd_bench},           {"dhd", dhd_bench},
                                  {"haply", haply_bench},     {"spacemouse", spacemouse_bench},
                                  {"pointer", pointer_bench}, {"udp", udp_bench},
                                  {"shm", shm_bench}};
+TEST(DeviceContractBackends, AreThoseOfAllDrivers) {
+  std::vector<std::string> here, all;
+  for (const Backend& each : kBackends) here.emplace_back(each.name);
+  for (const DriverDescriptor* each : drivers()) all.emplace_back(each->scheme);
+  EXPECT_EQ(here, all);
+}
 INSTANTIATE_TEST_SUITE_P(All, DeviceContract, testing::ValuesIn(kBackends),
                          [](const auto& each) { return each.param.name; });
 

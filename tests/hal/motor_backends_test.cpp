@@ -4,13 +4,17 @@
 // stand-in, opened again when it fails; `udp:` and `shm:` with a program that keeps the README's
 // rules; a station with a device of its own. Random sessions are judged where the force is felt, by
 // rules that know nothing of the code.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "device_bench.h"
+#include "hal/device/drivers/haply.h"
 #include "hal/device/lasting_device.h"
 #include "motor_judge.h"
 #include "peer_hand.h"
@@ -20,18 +24,57 @@
 namespace stylet::hal {
 namespace {
 
-enum class Kind { kHd, kDhd, kHaply, kUdp, kShm, kStation };
-const char* name_of(Kind kind) {
-  constexpr const char* kNames[] = {"hd", "dhd", "haply", "udp", "shm", "station"};
-  return kNames[static_cast<int>(kind)];
+// Who has the motors.
+enum class Motors {
+  kLibrary,  // the vendor's, in this process; orders that are not renewed end
+  kService,  // of the vendor; drops the force of a client that is gone
+  kPeer,     // a program that keeps the README's rules
+  kStation,  // a station, with a library's device of its own
+};
+struct Backend {
+  const char* name;  // its driver's scheme
+  Motors motors = Motors::kLibrary;
+  MakeBench bench = nullptr;                        // the vendor's stand-in
+  bool may_refuse_watchdog = false;                 // the library: some devices have none
+  const char* uri = nullptr;                        // of a peer, but for the port
+  Link (*link)(const std::string& port) = nullptr;  // its end of the link
+};
+Link by_network(const std::string& port) {
+  return udp_connect("127.0.0.1:" + port);
 }
-void PrintTo(Kind kind, std::ostream* out) {
-  *out << name_of(kind);
+Link by_memory(const std::string& port) {
+  return shared_memory("motor" + port, Side::kDevice);
+}
+constexpr const char* kByNetwork = "udp:127.0.0.1:";
+constexpr Backend kBackends[] = {
+    {"hd", Motors::kLibrary, hd_bench},
+    {"dhd", Motors::kLibrary, dhd_bench, true},
+    {"haply", Motors::kService, haply_bench},
+    {"udp", Motors::kPeer, nullptr, false, kByNetwork, by_network},
+    {"shm", Motors::kPeer, nullptr, false, "shm:motor", by_memory},
+};
+constexpr Backend kStation = {"station", Motors::kStation, hd_bench, false, kByNetwork, by_network};
+void PrintTo(const Backend& backend, std::ostream* out) {
+  *out << backend.name;
+}
+
+// Those of all drivers that render force, and a station. A driver that is not above has no motors.
+std::vector<Backend> all_backends() {
+  std::vector<Backend> found;
+  for (const DriverDescriptor* driver : drivers_with_haply()) {
+    if (!driver->renders) continue;
+    const auto* known =
+        std::find_if(std::begin(kBackends), std::end(kBackends),
+                     [&](const Backend& each) { return std::string(each.name) == driver->scheme; });
+    found.push_back(known != std::end(kBackends) ? *known : Backend{driver->scheme});
+  }
+  found.push_back(kStation);
+  return found;
 }
 
 struct Session {
   Draw draw;
-  Kind kind;
+  Backend backend;
   Rig rig;
   Judge judge;
   std::unique_ptr<Bench> bench;
@@ -44,7 +87,7 @@ struct Session {
   std::int64_t service_until_ns = 0;
   double hand_hz = 1, hand_m = 0.008, middle_m = 0.004;
 
-  Session(std::uint64_t seed, Kind of) : draw{std::mt19937_64(seed)}, kind(of) {
+  Session(std::uint64_t seed, const Backend& of) : draw{std::mt19937_64(seed)}, backend(of) {
     loop = Stalls::drawn(draw);
     driver = Stalls::drawn(draw);
     service = Stalls::drawn(draw);
@@ -69,27 +112,18 @@ struct Session {
 
   void open() {
     const std::string port = test_port();
-    std::string uri = "udp:127.0.0.1:" + port;
-    if (kind == Kind::kHd || kind == Kind::kStation) bench = hd_bench();
-    if (kind == Kind::kDhd) bench = dhd_bench();
-    if (kind == Kind::kDhd) bench->refuse_watchdog(draw.chance(0.5));
-    if (kind == Kind::kHaply) bench = haply_bench();
-    if (kind == Kind::kShm) {
-      uri = "shm:motor" + port;
-      std::ofstream("/dev/shm/stylet.motor" + port);  // as of a run that was killed
+    if (backend.bench != nullptr) bench = backend.bench();
+    if (backend.may_refuse_watchdog) bench->refuse_watchdog(draw.chance(0.5));
+    const std::string uri = backend.uri != nullptr ? backend.uri + port : bench->uri();
+    if (uri.starts_with("shm:")) {
+      std::ofstream("/dev/shm/stylet." + uri.substr(4));  // as of a run that was killed
     }
-    if (bench != nullptr && kind != Kind::kStation) uri = bench->uri();
-    if (kind == Kind::kUdp) {
-      peer = std::make_unique<PeerHand>(weather(udp_connect("127.0.0.1:" + port)), driver, trouble);
+    if (backend.motors == Motors::kPeer) {
+      peer = std::make_unique<PeerHand>(weather(backend.link(port)), driver, trouble);
     }
-    if (kind == Kind::kShm) {
-      peer = std::make_unique<PeerHand>(weather(shared_memory("motor" + port, Side::kDevice)),
-                                        driver, trouble);
-    }
-    if (kind == Kind::kStation) {
-      const Device own = open_device("hd:");
-      station =
-          std::make_unique<StationHand>(weather(udp_connect("127.0.0.1:" + port)), driver, own);
+    if (backend.motors == Motors::kStation) {
+      const Device own = open_device(bench->uri());
+      station = std::make_unique<StationHand>(weather(backend.link(port)), driver, own);
     }
     const auto opened = [this, uri] {
       const Device made = open_device(uri);
@@ -121,14 +155,14 @@ struct Session {
     judge.slew_n_per_s = static_cast<double>(device.info.max_slew_n_per_s);
     judge.felt = [this] { return peer != nullptr ? peer->force_n : bench->felt(); };
     judge.writes = [this] { return peer != nullptr ? peer->steps : bench->writes(); };
-    judge.orders_expire = kind == Kind::kHd || kind == Kind::kDhd;
-    judge.supervised = kind == Kind::kHd || kind == Kind::kDhd || kind == Kind::kStation;
-    if (kind != Kind::kHd && kind != Kind::kDhd) judge.lag_ms = kZeroMs;
-    judge.drops = kind == Kind::kHaply;
+    judge.orders_expire = backend.motors == Motors::kLibrary;
+    judge.supervised = judge.orders_expire || backend.motors == Motors::kStation;
+    if (!judge.orders_expire) judge.lag_ms = kZeroMs;
+    judge.drops = backend.motors == Motors::kService;
     if (judge.drops) judge.held_ms = 21;
     // A socket of this process is looked at only so often. Behind it, what leaves our thread is
     // slewed.
-    if (kind == Kind::kHaply) judge.way_ms = ms(test::kLookNs);
+    if (judge.drops) judge.way_ms = ms(test::kLookNs);
     if (peer != nullptr) judge.slew_n_per_s = static_cast<double>(PeerHand::kSlewNPerS);
     if (station != nullptr) judge.slew_n_per_s = 1000;
   }
@@ -217,7 +251,7 @@ struct Session {
       service_until_ns = 0;
       bench->trouble(test::Trouble::kNone);
     }
-    if (kind == Kind::kHaply && service.busy(draw, now_ns)) {
+    if (backend.motors == Motors::kService && service.busy(draw, now_ns)) {
       bench->trouble(test::Trouble::kSilent);
       service_until_ns = service.until_ns;
     } else if (draw.chance(trouble * 0.3)) {
@@ -270,10 +304,10 @@ struct Seen {
   int acknowledgements = 0;
 };
 
-Seen run_session(std::uint64_t seed, Kind kind) {
+Seen run_session(std::uint64_t seed, const Backend& backend) {
   test::VirtualProcess& process = test::enter_virtual_time();
   process = {};
-  Session session(seed, kind);
+  Session session(seed, backend);
   process.look = [&session] { session.judge.look(); };
   process.wakes = [&session](int thread, std::int64_t wake_ns) {
     const bool stalls = thread == session.driver_thread && session.bench != nullptr &&
@@ -284,15 +318,18 @@ Seen run_session(std::uint64_t seed, Kind kind) {
   session.device.close(session.device.self);
   process = {};
   session.leave();
-  EXPECT_EQ(session.judge.broken, "") << name_of(kind) << " seed " << seed;
+  EXPECT_EQ(session.judge.broken, "") << backend.name << " seed " << seed;
   return {session.judge.strongest_n, session.acknowledgements};
 }
 
-class MotorBackends : public testing::TestWithParam<Kind> {};
+class MotorBackends : public testing::TestWithParam<Backend> {};
 
 TEST_P(MotorBackends, GiveTheHandNothingThatHurts) {
+  ASSERT_TRUE(GetParam().bench != nullptr || GetParam().link != nullptr)
+      << "this driver renders force: its stand-in belongs into kBackends";
   const int first = number_from("STYLET_MOTOR_FIRST", 1);
-  const int count = number_from("STYLET_MOTOR_SESSIONS", GetParam() == Kind::kHaply ? 10 : 60);
+  const int count =
+      number_from("STYLET_MOTOR_SESSIONS", GetParam().motors == Motors::kService ? 10 : 60);
   double strongest_n = 0;
   int acknowledgements = 0;
   for (int i = 0; i < count && !HasFailure(); ++i) {
@@ -305,10 +342,8 @@ TEST_P(MotorBackends, GiveTheHandNothingThatHurts) {
   EXPECT_GT(acknowledgements, count / 4) << "and faults that were acknowledged";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MotorBackends,
-                         testing::Values(Kind::kHd, Kind::kDhd, Kind::kHaply, Kind::kUdp,
-                                         Kind::kShm, Kind::kStation),
-                         [](const auto& each) { return name_of(each.param); });
+INSTANTIATE_TEST_SUITE_P(All, MotorBackends, testing::ValuesIn(all_backends()),
+                         [](const auto& each) { return each.param.name; });
 
 }  // namespace
 }  // namespace stylet::hal
