@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the commands of a test; what a command printed is in its failure."""
+import re
 import subprocess
 
 
@@ -17,3 +18,10 @@ def run(*command, status=0, stderr=subprocess.STDOUT, timeout=1800, **more):
 def output(*command, **more):
     """What it printed, without errors."""
     return run(*command, stderr=subprocess.PIPE, **more)
+
+
+def source_is_missing(said):
+    """Of a build for which toolchain/debian_source.sh fetches sources: the words with which it
+    ends where there are none, or None. CMake breaks them into lines."""
+    found = re.search(r"the source of \S+ could not be fetched", " ".join(said.split()))
+    return found and found[0] + "; STYLET_DEBIAN_SOURCES can name a folder that has it"

@@ -15,7 +15,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
-from command import run
+from command import run, source_is_missing
 
 SOURCE, BUILD, LIBRARY, ORGAN_MAKER = (pathlib.Path(word).resolve() for word in sys.argv[1:5])
 GODOT = SOURCE / "hal/hosts/godot"
@@ -102,8 +102,8 @@ if __name__ == "__main__":
         skip("no godot3-server here; toolchain/setup.sh full installs it")
     if not HEADERS.exists():
         made = subprocess.run([GODOT / "headers.py", HEADERS], capture_output=True, text=True)
-        if "could not be fetched" in made.stderr:
-            skip("the source of Debian's godot3, which has the headers, cannot be fetched")
+        if source_is_missing(made.stderr):
+            skip(source_is_missing(made.stderr))
         if made.returncode != 0:
             sys.exit(made.stderr)
     unittest.main(argv=sys.argv[:1])

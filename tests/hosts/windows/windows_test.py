@@ -16,7 +16,7 @@ SOURCE, BUILD, LIBRARY, ORGAN_MAKER = (pathlib.Path(word).resolve() for word in 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(SOURCE / "tests/support"))
 import wine  # noqa: E402
-from command import output  # noqa: E402
+from command import output, source_is_missing  # noqa: E402
 
 SKIPPED = 77
 FOLDER = BUILD / "tests/hosts/windows"
@@ -32,10 +32,10 @@ def build():
     """The library and the examples. Without libccd's source there is nothing to be tested."""
     done = subprocess.run(["cmake", "--preset", "windows", "-B", str(FOLDER / "build")], cwd=SOURCE,
                           capture_output=True, text=True)
-    if "libccd's source is needed" in done.stderr:
-        print("skipped: the source of Debian's libccd is not here, and cannot be fetched")
-        sys.exit(SKIPPED)
     if done.returncode != 0:
+        if source_is_missing(done.stderr):
+            print(f"skipped: {source_is_missing(done.stderr)}")
+            sys.exit(SKIPPED)
         sys.exit(done.stdout + done.stderr)
     output("cmake", "--build", FOLDER / "build", "-j2")
 
