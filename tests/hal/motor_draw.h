@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <random>
 
+#include "draw.h"
 #include "stylet/units.h"
 
 namespace stylet::hal {
@@ -29,11 +29,7 @@ struct Draw {
   }
 };
 
-// From the environment, such as a seed.
-inline int number_from(const char* variable, int otherwise) {
-  const char* wanted = std::getenv(variable);
-  return wanted != nullptr ? std::atoi(wanted) : otherwise;
-}
+using test::number_from;
 
 // Something that does nothing until a time: now and then, or again and again.
 struct Stalls {

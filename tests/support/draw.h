@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 
 namespace stylet::test {
@@ -26,5 +27,11 @@ class Draw {
  private:
   std::mt19937_64 engine_;
 };
+
+// From the environment, such as a seed.
+inline int number_from(const char* variable, int otherwise) {
+  const char* wanted = std::getenv(variable);
+  return wanted != nullptr ? std::atoi(wanted) : otherwise;
+}
 
 }  // namespace stylet::test

@@ -172,13 +172,17 @@ stylet_status stylet_batch_run(stylet_batch* batch, const stylet_input* inputs,
                                stylet_output* outputs_out, uint32_t ticks) try {
   if (batch == nullptr) return STYLET_ARGUMENT_MISSING;
   if (ticks == 0 || batch->parts.empty()) return STYLET_OK;
-  if (inputs == nullptr) return STYLET_ARGUMENT_MISSING;
+  const std::size_t all = batch->needles * ticks;
+  const auto refuse = [&](stylet_status status) {
+    return stylet::c::refuse_outputs(status, outputs_out, all);
+  };
+  if (inputs == nullptr) return refuse(STYLET_ARGUMENT_MISSING);
   for (const stylet_batch::Part& part : batch->parts) {
     const stylet_status status = stylet::c::ready(part.simulation);
-    if (status != STYLET_OK) return status;
+    if (status != STYLET_OK) return refuse(status);
   }
   const stylet::c::Arrays arrays = stylet::c::arrays(inputs, outputs_out);
-  if (!stylet::c::sizes_known(arrays, batch->needles * ticks)) return STYLET_STRUCT_SIZE_UNKNOWN;
+  if (!stylet::c::sizes_known(arrays, all)) return refuse(STYLET_STRUCT_SIZE_UNKNOWN);
   batch->run(arrays, ticks);
   return STYLET_OK;
 } catch (const std::exception&) {

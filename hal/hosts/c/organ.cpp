@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -16,6 +17,8 @@
 namespace stylet::c {
 
 stylet_organ::Block make_block(std::size_t bytes) {
+  // The library of C++ rounds the size up to the alignment, and so up to nothing if it is SIZE_MAX.
+  if (bytes > static_cast<std::size_t>(PTRDIFF_MAX)) return nullptr;
   return stylet_organ::Block(static_cast<std::byte*>(
       ::operator new (bytes, std::align_val_t{kBlockAlignment}, std::nothrow)));
 }
@@ -148,7 +151,9 @@ void stylet_organ_free(stylet_organ* organ) {
 }
 
 stylet_status stylet_organ_get_info(const stylet_organ* organ, stylet_organ_info* info_out) {
-  if (organ == nullptr || info_out == nullptr) return STYLET_ARGUMENT_MISSING;
+  if (organ == nullptr || info_out == nullptr) {
+    return c::nothing(STYLET_ARGUMENT_MISSING, info_out);
+  }
   const Organ& o = organ->organ;
   constexpr float kFar = std::numeric_limits<float>::infinity();
   Vec3 low = {kFar, kFar, kFar}, high = {-kFar, -kFar, -kFar};
@@ -157,7 +162,7 @@ stylet_status stylet_organ_get_info(const stylet_organ* organ, stylet_organ_info
         low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
         high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
       })) {
-    return STYLET_OUT_OF_MEMORY;
+    return c::nothing(STYLET_OUT_OF_MEMORY, info_out);
   }
   if (all == 0) low = high = o.origin_m;
   stylet_organ_info info = {};
@@ -180,34 +185,30 @@ stylet_status stylet_organ_get_info(const stylet_organ* organ, stylet_organ_info
 
 stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                         stylet_material* material_out) {
-  if (material_out == nullptr) return STYLET_ARGUMENT_MISSING;
-  stylet_material out = {};
-  if (organ == nullptr) {
-    (void)c::give(out, material_out);
-    return STYLET_ARGUMENT_MISSING;
+  if (organ == nullptr || material_out == nullptr) {
+    return c::nothing(STYLET_ARGUMENT_MISSING, material_out);
   }
   if (index >= organ->organ.material_count) {
-    (void)c::give(out, material_out);
-    return STYLET_ARGUMENT_OUT_OF_RANGE;
+    return c::nothing(STYLET_ARGUMENT_OUT_OF_RANGE, material_out);
   }
   const Material m = organ_material(organ->organ, index);
-  out = {0,
-         m.density_kg_per_m3,
-         m.name,
-         m.source,
-         m.youngs_modulus_pa,
-         m.poisson_ratio,
-         m.relaxing_fraction,
-         m.relaxation_time_s,
-         m.puncture_force_n,
-         m.cutting_force_n,
-         m.recut_fraction,
-         m.coulomb_friction_n_per_m,
-         m.static_friction_n_per_m,
-         m.stribeck_velocity_m_per_s,
-         m.viscous_friction_n_s_per_m2,
-         m.puncture_velocity_exponent,
-         m.membrane_n_per_m};
+  const stylet_material out = {0,
+                               m.density_kg_per_m3,
+                               m.name,
+                               m.source,
+                               m.youngs_modulus_pa,
+                               m.poisson_ratio,
+                               m.relaxing_fraction,
+                               m.relaxation_time_s,
+                               m.puncture_force_n,
+                               m.cutting_force_n,
+                               m.recut_fraction,
+                               m.coulomb_friction_n_per_m,
+                               m.static_friction_n_per_m,
+                               m.stribeck_velocity_m_per_s,
+                               m.viscous_friction_n_s_per_m2,
+                               m.puncture_velocity_exponent,
+                               m.membrane_n_per_m};
   return c::answer(out, material_out);
 }
 

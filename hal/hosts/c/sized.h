@@ -69,7 +69,7 @@ template <typename T>
 bool give(const T& value, T* to, std::uint32_t bytes) {
   if (bytes == 0) return false;
   std::memcpy(to, &value, std::min<std::size_t>(bytes, sizeof(T)));
-  to->struct_bytes = bytes;
+  std::memcpy(to, &bytes, sizeof bytes);  // in an array of such a size it need not be aligned
   auto* const all = reinterpret_cast<unsigned char*>(to);
   if (bytes > sizeof(T)) std::memset(all + sizeof(T), 0, bytes - sizeof(T));
   return true;
@@ -83,6 +83,13 @@ bool give(const T& value, T* to) {
 template <typename T>
 stylet_status answer(const T& value, T* to) {
   return give(value, to) ? stylet_status{STYLET_OK} : stylet_status{STYLET_STRUCT_SIZE_UNKNOWN};
+}
+
+// The same of one that could not.
+template <typename T>
+stylet_status nothing(stylet_status why, T* to) {
+  if (to != nullptr) (void)give(T{}, to);
+  return why;
 }
 
 // For structs that are given their defaults: the size stands beside the struct.
