@@ -215,11 +215,19 @@ class Copied(unittest.TestCase):
     def test_pickle_tells_what_to_do_instead(self):
         for thing, told in ((organ(), "path"), (simulation(), "snapshot"),
                             (stylet.VectorSimulation([simulation()]), "snapshot"),
-                            (stylet.Guard(), "Guard"),
-                            (stylet.Device.simulated(0.01, 0.01), "Device")):
+                            (stylet.Guard(), "GuardConfig"),
+                            (stylet.Device.simulated(0.01, 0.01), "open in this process")):
             self.assertRaisesRegex(TypeError, told, pickle.dumps, thing)
         self.assertRaises(TypeError, copy.copy, stylet.Guard())
         self.assertRaises(TypeError, copy.deepcopy, stylet.Device.simulated(0.01, 0.01))
+
+
+    def test_each_class_has_its_own_word_in_every_protocol(self):
+        """What pybind11 does in protocols 0 and 1 ends the process."""
+        for kind in filter(is_native, classes()):
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                self.assertRaisesRegex(TypeError, "cannot be pickled", pickle.dumps,
+                                       kind.__new__(kind), protocol)
 
 
 class Threads(unittest.TestCase):

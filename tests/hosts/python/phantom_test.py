@@ -21,6 +21,7 @@ class Phantom(unittest.TestCase):
         program("stylet-organ")
         with self.assertRaisesRegex(ValueError, r"phantom 'kidney': expected one of \['liver'\]"):
             stylet.phantom("kidney")
+        self.assertRaisesRegex(TypeError, "name of int: expected a text", stylet.phantom, 7)
 
     def test_says_what_to_install(self):
         with unittest.mock.patch.object(sys.modules["stylet.phantom"], "folders",

@@ -69,8 +69,9 @@ class Batch {
 }  // namespace
 
 void add_batch(py::module_& module) {
-  py::class_<Batch>(module, "Batch")
-      .def(py::init<const py::tuple&, std::uint32_t>())
+  py::class_<Batch> type(module, "Batch");
+  refuse_pickle(type, "simulations cannot be pickled: pass their snapshots");
+  type.def(py::init<const py::tuple&, std::uint32_t>())
       .def("run", &Batch::run, py::arg("poses"), py::arg("valid") = py::none(),
            py::arg("out") = py::none());
 }

@@ -291,8 +291,9 @@ std::vector<std::string> device_models() {
 }
 
 void add_loop(py::module_& module) {
-  py::class_<Loop>(module, "Loop")
-      .def(py::init<Simulation&, const std::vector<Device*>&, const std::vector<py::array>&,
+  py::class_<Loop> loop(module, "Loop");
+  refuse_pickle(loop, "a loop cannot be pickled or copied: it is one thread of this process");
+  loop.def(py::init<Simulation&, const std::vector<Device*>&, const std::vector<py::array>&,
                     const std::vector<py::array>&, const py::array&>(),
            py::keep_alive<1, 2>())
       .def("start", &Loop::start)
@@ -325,8 +326,9 @@ void add_hand(py::module_& module) {
   });
   module.def("default_hand", [] { return defaults<stylet_hand>(hand_dtype(), stylet_hand_init); });
   module.def("fault_name", stylet_fault_name);
-  py::class_<Guard>(module, "Guard")
-      .def(py::init<const py::array&>())
+  py::class_<Guard> guard(module, "Guard");
+  refuse_pickle(guard, "a guard cannot be pickled or copied: make another of its GuardConfig");
+  guard.def(py::init<const py::array&>())
       .def("sample", &Guard::sample, py::arg("pose"), py::arg("now_ns"),
            py::arg("seq") = py::none(), py::arg("buttons") = 0)
       .def("force", &Guard::force, py::arg("force_n"))
@@ -335,8 +337,9 @@ void add_hand(py::module_& module) {
       .def("trip", &Guard::trip, py::arg("fault"))
       .def("rearm", &Guard::rearm, py::arg("fault_seen"))
       .def("report", &Guard::report);
-  py::class_<Device>(module, "Device")
-      .def_static("open", &Device::open, py::arg("uri"), py::arg("patience_s") = 10.0)
+  py::class_<Device> device(module, "Device");
+  refuse_pickle(device, "a device cannot be pickled or copied: it is open in this process");
+  device.def_static("open", &Device::open, py::arg("uri"), py::arg("patience_s") = 10.0)
       .def_static("simulated", &Device::simulated, py::arg("travel_m"), py::arg("speed_m_per_s"),
                   py::arg("hold_s") = 0.0F)
       .def("close", &Device::close);

@@ -72,7 +72,8 @@ class Bytes {
   Py_buffer view_ = {};
 };
 
-// What pickle says of a class, instead of which class it cannot pickle.
+// What pickle and copy say of a class. Each has it: pickle's own way in its old protocols, 0 and 1,
+// makes an object without this class, at which pybind11 ends the process.
 template <typename Class>
 void refuse_pickle(Class& type, const char* why) {
   type.def("__reduce__", [why](const py::object&) -> py::object { throw py::type_error(why); });

@@ -20,6 +20,8 @@ def folders():
 def phantom(name):
     """The organ of a phantom by its name: "liver", of 5 mm voxels, the organ of the scene
     fig09-force-curve. Those of other sizes and kinds: `stylet-organ phantom`."""
+    if not isinstance(name, str):
+        raise TypeError(f"name of {type(name).__name__}: expected a text, such as \"liver\"")
     known = set()
     for folder in folders():
         path = folder / (name + ENDING)
