@@ -14,6 +14,7 @@ public static class Frames {
         case "collector": Lives.UnderTheCollector(organ); break;
         case "disposal": Lives.DisposedInACall(organ); break;
         case "closed": Lives.Closed(organ); break;
+        case "drawn": Drawn.Calls(organ, System.IO.File.ReadAllBytes(arguments[1])); break;
         case "handles": Lives.Handles(); break;
         case "life": Life(organ, System.IO.File.ReadAllBytes(arguments[1])); break;
         default: return 2;

@@ -31,7 +31,7 @@ class CSharp(unittest.TestCase):
                        check=True, capture_output=True)
         runtime = sorted(map(str, (PACKAGE / "Runtime").glob("*.cs")))
         cls.program = {}
-        for sources in ([PACKAGE / "Examples~/Insert.cs"], [HERE / "Frames.cs", HERE / "Lives.cs"]):
+        for sources in ([PACKAGE / "Examples~/Insert.cs"], [HERE / f"{name}.cs" for name in ("Frames", "Lives", "Drawn")]):
             name = sources[0].stem
             cls.program[name] = folder / f"{name}.exe"
             subprocess.run(["mcs", "-unsafe", "-optimize+", "-warnaserror",
@@ -110,6 +110,11 @@ class CSharp(unittest.TestCase):
         """Of all functions only those that free take a bare pointer; a new one is met here."""
         self.assertEqual(self.ask("handles"), ["stylet_device_close", "stylet_loop_free",
                                                "stylet_organ_free", "stylet_simulation_free"])
+
+    def test_drawn_arguments_end_in_an_exception_with_words(self):
+        called, silent = self.ask("drawn")
+        self.assertGreater(int(called), 30)
+        self.assertEqual(silent, "")
 
     def test_the_librarys_loop(self):
         first, second, state = self.ask("loop")
