@@ -81,7 +81,34 @@ struct field {
   const char* name;
   float* value;
   uint32_t* count;
+  stylet_vec3* vector;
 };
+
+static stylet_vec3 vector_of(const mxArray* value, const char* what) {
+  if (!mxIsDouble(value) || mxIsComplex(value) || mxIsSparse(value) ||
+      mxGetNumberOfElements(value) != 3) {
+    mexErrMsgIdAndTxt("stylet:refused", "%s: expected three numbers", what);
+  }
+  const double* from = mxGetPr(value);
+  const stylet_vec3 out = {(float)from[0], (float)from[1], (float)from[2]};
+  return out;
+}
+
+static void take_field(const mxArray* from, const struct field* field, const char* what) {
+  if (field->vector != NULL) {
+    *field->vector = vector_of(from, field->name);
+    return;
+  }
+  const double value = number(from, field->name);
+  if (field->value != NULL) {
+    *field->value = (float)value;
+  } else if (value >= 0 && value <= 4294967295.0 && value == (uint32_t)value) {
+    *field->count = (uint32_t)value;
+  } else {
+    mexErrMsgIdAndTxt("stylet:refused", "%s.%s: %g: expected a whole number", what, field->name,
+                      value);
+  }
+}
 
 static void take_fields(const mxArray* from, const struct field* fields, int field_count,
                         const char* what) {
@@ -94,16 +121,8 @@ static void take_fields(const mxArray* from, const struct field* fields, int fie
     int found = 0;
     for (int j = 0; j < field_count; ++j) {
       if (strcmp(name, fields[j].name) != 0) continue;
-      const double value = number(mxGetFieldByNumber(from, 0, i), name);
+      take_field(mxGetFieldByNumber(from, 0, i), &fields[j], what);
       found = 1;
-      if (fields[j].value != NULL) {
-        *fields[j].value = (float)value;
-      } else if (value >= 0 && value <= 4294967295.0 && value == (uint32_t)value) {
-        *fields[j].count = (uint32_t)value;
-      } else {
-        mexErrMsgIdAndTxt("stylet:refused", "%s.%s: %g: expected a whole number", what, name,
-                          value);
-      }
     }
     if (!found) mexErrMsgIdAndTxt("stylet:refused", "%s: no field is called %s", what, name);
   }
@@ -196,30 +215,28 @@ static void create(mxArray** out, const mxArray** in) {
   check(stylet_config_init(&c, sizeof c), NULL);
   check(stylet_needle_init(&n, sizeof n), NULL);
   const struct field of_config[] = {
-      {"mode", NULL, &c.mode},
-      {"period_s", &c.period_s, NULL},
-      {"substeps", NULL, &c.substeps},
-      {"inertia", NULL, &c.inertia},
-      {"tissue_damping_s", &c.tissue_damping_s, NULL},
-      {"surround_drag_per_s", &c.surround_drag_per_s, NULL},
-      {"hourglass_weight", &c.hourglass_weight, NULL},
-      {"paper_alpha", &c.paper_alpha, NULL},
-      {"breathing_period_s", &c.breathing_period_s, NULL},
-      {"breathing_x_m", &c.breathing_amplitude_m.x, NULL},
-      {"breathing_y_m", &c.breathing_amplitude_m.y, NULL},
-      {"breathing_z_m", &c.breathing_amplitude_m.z, NULL},
+      {"mode", NULL, &c.mode, NULL},
+      {"period_s", &c.period_s, NULL, NULL},
+      {"substeps", NULL, &c.substeps, NULL},
+      {"inertia", NULL, &c.inertia, NULL},
+      {"tissue_damping_s", &c.tissue_damping_s, NULL, NULL},
+      {"surround_drag_per_s", &c.surround_drag_per_s, NULL, NULL},
+      {"hourglass_weight", &c.hourglass_weight, NULL, NULL},
+      {"paper_alpha", &c.paper_alpha, NULL, NULL},
+      {"breathing_amplitude_m", NULL, NULL, &c.breathing_amplitude_m},
+      {"breathing_period_s", &c.breathing_period_s, NULL, NULL},
   };
   const struct field of_needle[] = {
-      {"length_m", &n.length_m, NULL},
-      {"outer_radius_m", &n.outer_radius_m, NULL},
-      {"unit_m", &n.unit_m, NULL},
-      {"bending_nm2", &n.bending_nm2, NULL},
-      {"rods", NULL, &n.rods},
-      {"bevel_per_m", &n.bevel_per_m, NULL},
-      {"bent_length_m", &n.bent_length_m, NULL},
-      {"bent_angle_rad", &n.bent_angle_rad, NULL},
-      {"torsion_nm2", &n.torsion_nm2, NULL},
-      {"tip_half_angle_rad", &n.tip_half_angle_rad, NULL},
+      {"length_m", &n.length_m, NULL, NULL},
+      {"outer_radius_m", &n.outer_radius_m, NULL, NULL},
+      {"unit_m", &n.unit_m, NULL, NULL},
+      {"bending_nm2", &n.bending_nm2, NULL, NULL},
+      {"rods", NULL, &n.rods, NULL},
+      {"bevel_per_m", &n.bevel_per_m, NULL, NULL},
+      {"bent_length_m", &n.bent_length_m, NULL, NULL},
+      {"bent_angle_rad", &n.bent_angle_rad, NULL, NULL},
+      {"torsion_nm2", &n.torsion_nm2, NULL, NULL},
+      {"tip_half_angle_rad", &n.tip_half_angle_rad, NULL, NULL},
   };
   take_fields(in[1], of_needle, sizeof of_needle / sizeof *of_needle, "needle");
   take_fields(in[2], of_config, sizeof of_config / sizeof *of_config, "config");

@@ -4,7 +4,8 @@
 %
 % Opens an organ and makes a simulation with one needle in it. needle and config are structs with
 % the fields of stylet_needle and stylet_config (stylet.h) that are not to have their defaults, for
-% example struct ("bending_nm2", 0.02). SI units.
+% example struct ("bending_nm2", 0.02), or of what breathes struct ("breathing_amplitude_m",
+% [0 0 0.01], "breathing_period_s", 4). SI units.
 %
 % s.organ has name, voxel_edge_m, low_m, high_m, vertices (3 x n, m), triangles (3 x n, from 1).
 % stylet_close (s) frees both.

@@ -5,8 +5,10 @@ errors with what was expected.
 
 usage: octave_test.py LIBRARY_FOLDER EXAMPLE_IN_C STYLET_ORGAN
 """
+import ctypes
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +18,25 @@ import unittest
 LIBRARY, EXAMPLE_IN_C, STYLET_ORGAN = sys.argv[1:4]
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = ROOT / "hal/hosts/matlab"
+
+
+def defaults(name):
+    """Of a struct whose fields are numbers of four bytes, by the library itself."""
+    library = ctypes.CDLL(str(pathlib.Path(LIBRARY) / "libstylet.so"))
+    header = (ROOT / "hal/hosts/c/include/stylet/stylet.h").read_text()
+    body, = re.findall(r"typedef struct \{([^{}]*)\} stylet_" + name + ";", header)
+    rows = re.findall(r"(float|uint32_t|stylet_vec3) ([\w, ]+);",
+                      re.sub(r"/\*.*?\*/", "", body, flags=re.S))
+    kinds = {"float": ctypes.c_float, "uint32_t": ctypes.c_uint32,
+             "stylet_vec3": 3 * ctypes.c_float}
+    fields = [(field, kinds[kind]) for kind, words in rows for field in words.split(", ")]
+    struct = type(name, (ctypes.Structure,), {"_fields_": fields})
+    made = struct()
+    status = getattr(library, f"stylet_{name}_init")(
+        ctypes.byref(made), ctypes.c_size_t(ctypes.sizeof(made)))
+    assert status == 0, status
+    return {field: list(value) if kind is kinds["stylet_vec3"] else value
+            for field, kind in fields[1:] for value in [getattr(made, field)]}
 
 
 @unittest.skipUnless(shutil.which("octave-cli") and shutil.which("mkoctfile"),
@@ -87,6 +108,20 @@ class Octave(unittest.TestCase):
         self.assertEqual((same, nodes, happened), (1, 33, 1))  # 32 rods
         self.assertGreater(last, 100)
 
+    def test_every_field_of_the_header_can_be_given(self):
+        """Of needle and configuration, at its default: the state stays that of none given."""
+        texts = [", ".join(f"'{field}', {value!r}" for field, value in defaults(name).items())
+                 for name in ("needle", "config")]
+        code, said, error = self.octave(f"""
+          a = stylet_open ('{self.organ}');
+          b = stylet_open ('{self.organ}', struct ({texts[0]}), struct ({texts[1]}));
+          c = stylet_open ('{self.organ}', struct (), struct ('breathing_amplitude_m', [0 0 0.01]));
+          still = [0; 0; 1; 1; 0; 0; 0] * ones (1, 500);
+          for s = [a, b, c]  stylet_run (s, still); end
+          printf ('%d %d', stylet_hash (a) == stylet_hash (b), stylet_hash (a) == stylet_hash (c));
+          """)
+        self.assertEqual((code, said), (0, "1 0"), error)
+
     def test_what_is_wrong_is_said(self):
         organ = f"'{self.organ}'"
         for text, said in (
@@ -94,6 +129,8 @@ class Octave(unittest.TestCase):
                 (f"stylet_open ({organ}, struct ('lenght_m', 1))", "no field is called lenght_m"),
                 (f"stylet_open ({organ}, struct ('length_m', 0.7))",
                  "needle.length_m [0]: 0.7: expected 0.001 to 0.5"),
+                (f"stylet_open ({organ}, struct (), struct ('breathing_amplitude_m', 0.01))",
+                 "breathing_amplitude_m: expected three numbers"),
                 (f"stylet_open ({organ}, struct ('rods', 1.5))",
                  "needle.rods: 1.5: expected a whole"),
                 (f"s = stylet_open ({organ}); stylet_run (s, zeros (6, 2))", "with 7 rows"),
