@@ -68,7 +68,7 @@ if [ -n "$dsc" ] && unpack "$dsc"; then exit 0; fi
 if ! fetch; then
   grep -E '^(E|W|Err):' "$log" | tail -n 5 >&2
   die "the source of $package could not be fetched" \
-    "Without a network STYLET_DEBIAN_SOURCES can name a folder that has it, from a machine with one:" \
+    "Without a network STYLET_DEBIAN_SOURCES can name a folder with it, made where one is by" \
     "  apt-get source --download-only $package${version:+=$version}"
 fi
 unpack "$work"/fetched/*.dsc || die "the source of $package could not be unpacked" "$(tail "$log")"

@@ -141,7 +141,7 @@ stylet_status stylet_guard_config_init(stylet_guard_config* config, size_t struc
 }
 
 stylet_status stylet_guard_config_for(stylet_guard_config* config, const char* model) {
-  if (config == nullptr || model == nullptr) return c::nothing(STYLET_ARGUMENT_MISSING, config);
+  if (config == nullptr || model == nullptr) return c::missing(config);
   const hal::DeviceModel* const found = hal::find_device_model(model);
   if (found == nullptr) return c::nothing(STYLET_ARGUMENT_OUT_OF_RANGE, config);
   return c::answer(c::plain(c::config_for(*found), 0), config);
@@ -216,9 +216,7 @@ int stylet_guard_rearm(stylet_guard* guard, uint32_t fault_seen) {
 }
 
 stylet_status stylet_guard_get_report(const stylet_guard* guard, stylet_guard_report* report_out) {
-  if (guard == nullptr || report_out == nullptr) {
-    return c::nothing(STYLET_ARGUMENT_MISSING, report_out);
-  }
+  if (guard == nullptr || report_out == nullptr) return c::missing(report_out);
   const hal::GuardState& s = guard->force;
   const hal::GuardCounters& n = s.counters;
   const bool latched = s.fault != hal::Fault::kNone;

@@ -389,9 +389,7 @@ int stylet_loop_take(stylet_loop* loop) {
 
 stylet_status stylet_loop_get_output(const stylet_loop* loop, uint32_t needle,
                                      stylet_output* output_out) {
-  if (loop == nullptr || output_out == nullptr) {
-    return c::nothing(STYLET_ARGUMENT_MISSING, output_out);
-  }
+  if (loop == nullptr || output_out == nullptr) return c::missing(output_out);
   stylet_output out = {};
   const bool there = needle < loop->devices.size();
   if (there && loop->shown != nullptr) out = c::to_output(loop->shown->hand[needle].output);
@@ -422,9 +420,7 @@ uint32_t stylet_loop_needle_shape(const stylet_loop* loop, uint32_t needle, styl
 
 stylet_status stylet_loop_get_hand(const stylet_loop* loop, uint32_t needle,
                                    stylet_hand_report* report_out) {
-  if (loop == nullptr || report_out == nullptr) {
-    return c::nothing(STYLET_ARGUMENT_MISSING, report_out);
-  }
+  if (loop == nullptr || report_out == nullptr) return c::missing(report_out);
   stylet_hand_report out = {};
   const bool there = needle < loop->devices.size();
   if (there && loop->shown != nullptr) {
@@ -464,9 +460,7 @@ stylet_status stylet_loop_acknowledge(stylet_loop* loop, uint32_t needle, uint32
 }
 
 stylet_status stylet_loop_get_report(const stylet_loop* loop, stylet_loop_report* report_out) {
-  if (loop == nullptr || report_out == nullptr) {
-    return c::nothing(STYLET_ARGUMENT_MISSING, report_out);
-  }
+  if (loop == nullptr || report_out == nullptr) return c::missing(report_out);
   if (c::runs_elsewhere(*loop)) return c::nothing(STYLET_LOOP_RUNS, report_out);
   stylet_loop_report out = {};
   const hal::LoopState& state = *loop->state;

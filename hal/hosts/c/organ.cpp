@@ -151,9 +151,7 @@ void stylet_organ_free(stylet_organ* organ) {
 }
 
 stylet_status stylet_organ_get_info(const stylet_organ* organ, stylet_organ_info* info_out) {
-  if (organ == nullptr || info_out == nullptr) {
-    return c::nothing(STYLET_ARGUMENT_MISSING, info_out);
-  }
+  if (organ == nullptr || info_out == nullptr) return c::missing(info_out);
   const Organ& o = organ->organ;
   constexpr float kFar = std::numeric_limits<float>::infinity();
   Vec3 low = {kFar, kFar, kFar}, high = {-kFar, -kFar, -kFar};
@@ -185,9 +183,7 @@ stylet_status stylet_organ_get_info(const stylet_organ* organ, stylet_organ_info
 
 stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                         stylet_material* material_out) {
-  if (organ == nullptr || material_out == nullptr) {
-    return c::nothing(STYLET_ARGUMENT_MISSING, material_out);
-  }
+  if (organ == nullptr || material_out == nullptr) return c::missing(material_out);
   if (index >= organ->organ.material_count) {
     return c::nothing(STYLET_ARGUMENT_OUT_OF_RANGE, material_out);
   }

@@ -92,6 +92,11 @@ stylet_status nothing(stylet_status why, T* to) {
   return why;
 }
 
+template <typename T>
+stylet_status missing(T* to) {
+  return nothing(STYLET_ARGUMENT_MISSING, to);
+}
+
 // For structs that are given their defaults: the size stands beside the struct.
 template <typename T>
 stylet_status init(const T& value, T* to, std::size_t bytes) {

@@ -430,6 +430,9 @@ void add_ticks(Calls& calls) {
     const stylet_quat q = p.rotation;
     EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1, 1e-5);
   };
+}
+
+void add_states(Calls& calls) {
   calls["stylet_simulation_hash"] = [](World& w) { (void)stylet_simulation_hash(w.simulation()); };
   calls["stylet_simulation_snapshot_bytes"] = [](World& w) {
     (void)stylet_simulation_snapshot_bytes(w.simulation());
@@ -774,8 +777,8 @@ void add_names(Calls& calls) {
 
 Calls all_calls() {
   Calls calls;
-  for (const auto add : {add_organs, add_what_organs_tell, add_creation, add_ticks, add_views,
-                         add_batches, add_guards, add_devices, add_loops, add_names}) {
+  for (const auto add : {add_organs, add_what_organs_tell, add_creation, add_ticks, add_states,
+                         add_views, add_batches, add_guards, add_devices, add_loops, add_names}) {
     add(calls);
   }
   return calls;

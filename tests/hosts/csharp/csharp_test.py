@@ -31,7 +31,8 @@ class CSharp(unittest.TestCase):
                        check=True, capture_output=True)
         runtime = sorted(map(str, (PACKAGE / "Runtime").glob("*.cs")))
         cls.program = {}
-        for sources in ([PACKAGE / "Examples~/Insert.cs"], [HERE / f"{name}.cs" for name in ("Frames", "Lives", "Drawn")]):
+        for sources in ([PACKAGE / "Examples~/Insert.cs"],
+                        [HERE / f"{name}.cs" for name in ("Frames", "Lives", "Drawn")]):
             name = sources[0].stem
             cls.program[name] = folder / f"{name}.exe"
             subprocess.run(["mcs", "-unsafe", "-optimize+", "-warnaserror",
