@@ -89,6 +89,7 @@ class Installed(unittest.TestCase):
         for place in ("stylet/hal/palette.csv", "stylet/hal/device/example_client.py",
                       "stylet/LICENSE", "stylet/README.md", "stylet/hal/hosts/c/README.md",
                       "stylet/hal/hosts/c/examples/insert.c", "man/man1/stylet.1",
+                      "stylet/toolchain/debian_source.sh", "stylet/toolchain/common.sh",
                       "bash-completion/completions/stylet", "zsh/site-functions/_stylet",
                       "fish/vendor_completions.d/stylet.fish",
                       *(f"stylet/hal/scenes/{name}.toml" for name in SCENES)):

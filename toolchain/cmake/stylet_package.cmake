@@ -62,4 +62,8 @@ foreach(page README.md CHANGELOG.md CONTRIBUTING.md GLOSSARY.md LICENSE kernel/R
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DATADIR}/stylet/${folder} COMPONENT doc)
 endforeach()
+# With which the headers for Godot are made.
+set(tools ${CMAKE_INSTALL_DATADIR}/stylet/toolchain)
+install(PROGRAMS toolchain/debian_source.sh DESTINATION ${tools} COMPONENT doc)
+install(FILES toolchain/common.sh DESTINATION ${tools} COMPONENT doc)
 install(DIRECTORY kernel/decisions DESTINATION ${CMAKE_INSTALL_DATADIR}/stylet/kernel COMPONENT doc)
