@@ -130,6 +130,25 @@ class Sweep(unittest.TestCase):
         np.testing.assert_array_equal(again["half"], [0, 0.5, 1, -1, 2])
         self.assertEqual(set(again["error"]), {""})
 
+    def test_progress_is_told(self):
+        """Of what was there before, too; an exception of its own leaves what was done."""
+        path, told = folder() / "progress.h5", []
+        rows = {"i": list(range(8))}
+
+        def stop(done, of):
+            told.append((done, of))
+            if done == 3:
+                raise InterruptedError
+        with self.assertRaises(InterruptedError):
+            stylet.sweep(half_of_odd, rows, 0, path=path, progress=stop)
+        self.assertEqual(told, [(0, 8), (1, 8), (2, 8), (3, 8)])
+        told.clear()
+        stylet.sweep(half_of_odd, rows, 2, path=path, progress=lambda *both: told.append(both))
+        self.assertEqual(told, [(done, 8) for done in range(3, 9)])  # row 3 had not come yet
+        told.clear()
+        stylet.sweep(half_of_odd, rows, 0, path=path, progress=lambda *both: told.append(both))
+        self.assertEqual(told, [(7, 8), (8, 8)])  # it fails again
+
     def test_file_has_the_table(self):
         stylet.sweep(squared, PARAMETERS, 0, path=self.path())
         with h5py.File(self.path()) as file:

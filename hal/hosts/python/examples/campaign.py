@@ -5,6 +5,7 @@
 usage: campaign.py ORGAN TABLE.h5 [--insertions N] [--seed N] [--workers N | --scheduler-file FILE]
 """
 import argparse
+import sys
 
 import numpy as np
 import stylet
@@ -53,7 +54,9 @@ def main():
         client = Client(scheduler_file=args.scheduler_file)
     rows = {"organ": [args.organ] * args.insertions,
             **stylet.draw(DRAWN, args.insertions, args.seed)}
-    table = stylet.sweep(insertion, rows, args.workers, client, args.table, {"seed": args.seed})
+    table = stylet.sweep(insertion, rows, args.workers, client, args.table, {"seed": args.seed},
+                         lambda done, of: print(f"\r{done} of {of}", end=" ", file=sys.stderr))
+    print(file=sys.stderr)
     peak = table["peak_force_n"]
     print(f"{len(peak)} insertions, {np.count_nonzero(table['error'] != '')} failed; largest force "
           f"{np.nanmean(peak):.2f} N on average, {np.nanmin(peak):.2f} to {np.nanmax(peak):.2f} N")

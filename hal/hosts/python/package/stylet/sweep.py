@@ -31,7 +31,8 @@ UNITS = {"m": "m", "mm": "mm", "m2": "m2", "m3": "m3", "s": "s", "ms": "ms", "ns
          "kpa": "kPa", "j": "J", "hz": "Hz"}
 
 
-def sweep(function, parameters, workers=None, client=None, path=None, attributes=None):
+def sweep(function, parameters, workers=None, client=None, path=None, attributes=None,
+          progress=None):
     """Calls function(**row) for each row, and returns a dict of columns.
 
     `parameters`: columns of one length by name, or a list of dicts. `function` returns a dict
@@ -44,6 +45,9 @@ def sweep(function, parameters, workers=None, client=None, path=None, attributes
     another version or of a function of another name is refused, as is one that another sweep is
     writing or that is not as sweep left it.
 
+    `progress` is called with how many rows are done and how many there are, before the first and
+    after each. What it raises ends the sweep; what was done is in the file.
+
     The file's attributes are `attributes`, such as a seed, the library's version and the name of
     the function; a column's attribute is its unit, as its name ends (force_n: N). read_table gives
     the columns again."""
@@ -52,9 +56,15 @@ def sweep(function, parameters, workers=None, client=None, path=None, attributes
         table = Table(parameters, path, {**own(attributes), "version": _stylet.version(),
                                          "function": name_of(function)})
         todo = [i for i in range(table.rows) if not table.done[i]]
+        done = table.rows - len(todo)
         try:
+            if progress:
+                progress(done, table.rows)
             for index, result, error in finished(function, table, todo, workers, client):
                 table.add(index, result, error)
+                done += 1
+                if progress:
+                    progress(done, table.rows)
         finally:
             table.save()
     return table.columns()
