@@ -17,6 +17,7 @@
 #include "hal/app/serve.h"
 #include "hal/app/session.h"
 #include "hal/app/stop_signal.h"
+#include "hal/app/supervised.h"
 #include "hal/base/contained.h"
 #include "hal/base/follower.h"
 #include "hal/base/output_file.h"
@@ -189,7 +190,9 @@ class Console {
     if (const std::optional<console::Wish> wish = next_wish(); wish) {
       std::visit([this](const auto& each) { grant(each); }, *wish);
     }
-    server_->publish(meter_.now());
+    const hal::MetricNumbers numbers = meter_.now();
+    server_->publish(numbers);
+    tell_of_life(numbers.ticks);
     watch_page();
     if (session_ != nullptr) watch_processes(*session_, attempt_.get());
     if (running() && attempt_->done.load()) end_attempt(console::Activity::Ended);
@@ -210,6 +213,7 @@ class Console {
     show_stage();
     fmt::print("{}: console at {}\nCtrl-C ends it\n", options_.scene, server_->url());
     std::fflush(stdout);
+    supervised_.ready();
   }
 
   // nullopt if the page has gone.
@@ -221,6 +225,12 @@ class Console {
   void grant(const console::Order& order) { obey(order); }
   void grant(const console::PointerMoved& moved) { pointers_.move(moved); }
   void grant(const console::PointerLeft&) { pointers_.leave(); }
+
+  // A running attempt that makes no tick does not live, although this thread does.
+  void tell_of_life(std::uint64_t ticks) {
+    if (activity_ != console::Activity::Running || ticks != ticks_told_) supervised_.alive();
+    ticks_told_ = ticks;
+  }
 
   // The attempt goes on without a page, but nothing new can begin.
   void watch_page() {
@@ -439,6 +449,8 @@ class Console {
   std::vector<hal::Mark> marks_;        // of the present attempt
   console::ScoredAttempt scored_;       // the present attempt, or the last one
   console::Activity activity_ = console::Activity::Ready;
+  Supervised supervised_;
+  std::uint64_t ticks_told_ = 0;
   bool host_fit_ = true;
   bool trouble_ = false, page_lost_ = false;
 };

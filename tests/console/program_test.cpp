@@ -5,13 +5,18 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/ptrace.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <set>
 
 #include "client.h"
 #include "hal/record/recording.h"
@@ -128,6 +133,14 @@ class Program {
     kill(pid_, SIGSTOP);
     usleep(us);
     kill(pid_, SIGCONT);
+  }
+
+  std::set<pid_t> threads() const {
+    std::set<pid_t> found;
+    for (const auto& each : fs::directory_iterator("/proc/" + std::to_string(pid_) + "/task")) {
+      found.insert(std::stoi(each.path().filename()));
+    }
+    return found;
   }
 
   int wait() {
@@ -522,6 +535,80 @@ TEST(Program, AnotherSceneHasAnOrganOfItsOwn) {
         Body::Choose, [&](auto& b) { return CreateChoose(b, b.CreateString(each.first)); }));
     EXPECT_EQ(voxels(each.first), each.second) << program.output();
   }
+}
+
+// systemd's end of sd_notify: counts the words that say that the program lives.
+class Notified {
+ public:
+  static constexpr int kWatchdogMs = 400;
+
+  explicit Notified(const std::string& address) {
+    sockaddr_un here{};
+    here.sun_family = AF_UNIX;
+    address.copy(here.sun_path, sizeof here.sun_path - 1);
+    EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&here), sizeof here), 0) << address;
+    setenv("NOTIFY_SOCKET", address.c_str(), 1);
+    setenv("WATCHDOG_USEC", std::to_string(1000 * kWatchdogMs).c_str(), 1);
+  }
+  ~Notified() {
+    unsetenv("NOTIFY_SOCKET");
+    unsetenv("WATCHDOG_USEC");
+    close(socket_);
+  }
+  Notified(const Notified&) = delete;
+  Notified& operator=(const Notified&) = delete;
+
+  int lives() const {
+    int count = 0;
+    char word[64];
+    for (ssize_t size = 0; (size = recv(socket_, word, sizeof word, 0)) > 0;) {
+      count += std::string_view(word, static_cast<std::size_t>(size)) == "WATCHDOG=1" ? 1 : 0;
+    }
+    return count;
+  }
+  int lives_within_ms(int ms) const {
+    (void)lives();
+    usleep(static_cast<useconds_t>(1000 * ms));
+    return lives();
+  }
+
+ private:
+  int socket_ = socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+};
+
+// Stops these threads, and only these, as a debugger does. False: this machine does not allow it.
+bool halt(const std::set<pid_t>& threads) {
+  return std::ranges::all_of(threads, [](pid_t thread) {
+    if (ptrace(PTRACE_SEIZE, thread, nullptr, nullptr) != 0) return false;
+    ptrace(PTRACE_INTERRUPT, thread, nullptr, nullptr);
+    return waitpid(thread, nullptr, __WALL) == thread;
+  });
+}
+
+// An attempt whose loop stands still does not live, although the session's thread and the page do:
+// systemd's watchdog is told nothing, and ends it.
+TEST(Program, TellsTheWatchdogOnlyWhileAnAttemptTicks) {
+  Program program;
+  const Notified systemd(program.at("notify"));
+  const std::uint16_t port = run_with_pointer(program);
+  ASSERT_NE(port, 0) << program.output();
+  Client client(port);
+  ASSERT_EQ(client.join(), 101U);
+  const std::set<pid_t> before = program.threads();
+  EXPECT_GE(systemd.lives_within_ms(5 * Notified::kWatchdogMs), 2) << "ready";
+  client.say_message(verb(Body::Start));
+  ASSERT_TRUE(await(client, Activity::Running)) << program.output();
+  EXPECT_GE(systemd.lives_within_ms(5 * Notified::kWatchdogMs), 2) << "running";
+
+  std::set<pid_t> attempt;
+  std::ranges::set_difference(program.threads(), before, std::inserter(attempt, attempt.end()));
+  ASSERT_FALSE(attempt.empty());
+  if (!halt(attempt)) GTEST_SKIP() << "this user may not stop a thread of his own program";
+  (void)systemd.lives_within_ms(Notified::kWatchdogMs);  // what was under way
+  EXPECT_EQ(systemd.lives_within_ms(5 * Notified::kWatchdogMs), 0) << "halted";
+  for (const pid_t thread : attempt) ptrace(PTRACE_DETACH, thread, nullptr, nullptr);
+  EXPECT_GE(systemd.lives_within_ms(5 * Notified::kWatchdogMs), 2) << "goes on";
+  program.end();
 }
 
 }  // namespace
