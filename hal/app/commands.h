@@ -71,7 +71,8 @@ int replay_recording(const ReplayOptions& options);
 
 struct PlotOptions {
   std::string recording;
-  std::string output;  // .svg or .png
+  std::string output;             // .svg, .pdf or .png
+  std::string style = "console";  // a name of plot_look.h
   std::uint32_t needle = 0;
 };
 int plot(const PlotOptions& options);

@@ -15,6 +15,7 @@
 
 #include "hal/app/commands.h"
 #include "hal/app/own_program.h"
+#include "hal/app/plot_look.h"
 #include "hal/app/scene_name.h"
 #include "hal/base/side_process.h"
 #include "hal/console/limits.h"
@@ -152,11 +153,20 @@ void add_replay(CLI::App& program, ReplayOptions& options) {
 
 void add_plot(CLI::App& program, PlotOptions& options) {
   CLI::App& plot = *program.add_subcommand("plot", "Draw the force curves of a recording");
-  plot.footer("Example: stylet plot out.h5 -o force.svg");
+  plot.footer(
+      "Examples:\n  stylet plot out.h5 -o force.svg\n"
+      "  stylet plot out.h5 --style paper -o force.pdf");
   add_recording(plot, options.recording);
-  plot.add_option("-o,--output", options.output, "Picture to write (.svg or .png)")
+  plot.add_option("-o,--output", options.output, "Picture to write (.svg, .pdf or .png)")
       ->type_name("FILE")
       ->required();
+  std::vector<std::string> styles;
+  for (const Look& look : kLooks) styles.emplace_back(look.name);
+  plot.add_option("--style", options.style,
+                  "For the screen, a column of a paper (85 mm), or a slide (16:9)")
+      ->type_name("STYLE")
+      ->check(CLI::IsMember(styles))
+      ->capture_default_str();
   plot.add_option("--needle", options.needle, "Which of several needles, counted from 0")
       ->type_name("NUMBER")
       ->capture_default_str();

@@ -16,12 +16,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hal/app/commands.h"
+#include "hal/app/plot_look.h"
 #include "hal/base/output_file.h"
 #include "hal/base/vector.h"
 #include "hal/record/recording.h"
@@ -33,6 +35,7 @@ namespace stylet::app {
 namespace {
 
 constexpr std::size_t kMaxPoints = 3000;  // more than a printed page can show
+constexpr int kPngScale = 2;              // pixels of a PNG for each of the look's
 
 // The colours are those of hal/palette.csv.
 struct Cause {
@@ -135,11 +138,11 @@ std::string data_blocks(const Curve& curve) {
   return some(total) + some(causes) + some(in) + some(hold) + some(out);
 }
 
-// Shades the stages and names each in the margin above, slanted. The name of a stage too short for
+// Shows the stages and names each in the margin above, slanted. The name of a stage too short for
 // it is moved on.
-std::string phase_shades(const Curve& curve, int font_size) {
-  constexpr double kLabelGap = 0.035;  // of the width: needed by a slanted line of text
-  const double gap_s = kLabelGap * static_cast<double>(curve.track.back().tick) * curve.period_s;
+std::string phase_shades(const Curve& curve, const Look& look, int scale) {
+  const double gap_s =
+      label_gap(look) * static_cast<double>(curve.track.back().tick) * curve.period_s;
   double label_s = -gap_s;
   constexpr std::array kTints = {"#F2F2F2", "#E4EDF6", "#FBE3D6", "#EAF3E6",
                                  "#FFF6D6", "#F3E6F1", "#F2F2F2"};
@@ -148,15 +151,22 @@ std::string phase_shades(const Curve& curve, int font_size) {
   for (const hal::PhaseRow& row : curve.phases) {
     const double from = static_cast<double>(row.start_tick) * curve.period_s;
     const double to = static_cast<double>(row.end_tick) * curve.period_s;
-    script += fmt::format(
-        "set object {} rectangle from first {:.6g}, graph 0 to first {:.6g}, graph 1 behind "
-        "fillcolor rgb '{}' fillstyle solid 1 noborder\n",
-        object, from, to, kTints[static_cast<std::size_t>(row.stage)]);
+    if (look.shades) {
+      script += fmt::format(
+          "set object {} rectangle from first {:.6g}, graph 0 to first {:.6g}, graph 1 behind "
+          "fillcolor rgb '{}' fillstyle solid 1 noborder\n",
+          object, from, to, kTints[static_cast<std::size_t>(row.stage)]);
+    } else {
+      script += fmt::format(
+          "set arrow {} from first {:.6g}, graph 0 to first {:.6g}, graph 1 nohead back "
+          "linewidth {} linecolor rgb '#BBBBBB'\n",
+          object, from, from, look.axis_width);
+    }
     label_s = std::max(label_s + gap_s, 0.5 * (from + to));
     script += fmt::format(
-        "set label {} '{}' at first {:.6g}, graph 1.02 left rotate by 35 "
+        "set label {} '{}' at first {:.6g}, graph 1.02 left rotate by {} "
         "font ',{}' textcolor rgb '#333333'\n",
-        object, hal::stage_name(row.stage), label_s, font_size);
+        object, hal::stage_name(row.stage), label_s, kSlantDeg, scale * look.label_px);
     ++object;
   }
   return script;
@@ -170,50 +180,73 @@ std::string legend_text(const std::string& text) {
   return safe;
 }
 
-std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::uint32_t needle,
-                      bool svg) {
-  std::string script =
-      svg ? "set terminal svg size 900,820 font 'DejaVu Sans,13' background rgb 'white'\n"
-          : "set terminal pngcairo size 1800,1640 fontscale 1 font 'DejaVu Sans,26' linewidth 2\n";
-  script += data_blocks(curve);
-  script +=
-      "set encoding utf8\nset multiplot\nset border 3 linewidth 1\nset tics nomirror out\n"
-      "set grid ytics linewidth 0.5 linecolor rgb '#CCCCCC'\nset lmargin screen 0.10\n"
-      "set rmargin screen 0.97\nset xzeroaxis linewidth 0.8 linecolor rgb '#777777'\n"
-      "set ylabel 'Axial force on the needle / N' offset 0.5\n";
-  script +=
-      "set tmargin screen 0.90\nset bmargin screen 0.56\nset xlabel 'Time / s'\n"
-      "set key inside top right opaque box linewidth 0.5 spacing 1.1 Left reverse\n"
-      "set offsets graph 0, graph 0, graph 0.06, graph 0.04\n";
-  script += phase_shades(curve, svg ? 11 : 22);
-  script += fmt::format("set xrange [0:{:.6g}]\n",
-                        static_cast<double>(curve.track.back().tick) * curve.period_s);
-  std::string plot =
-      "plot $total using 1:2 with lines linewidth 2.4 linecolor rgb '#1d2733' "
-      "title 'total'";
+std::string margins(const Panel& panel) {
+  return fmt::format(
+      "set lmargin screen {}\nset rmargin screen {}\nset tmargin screen {}\nset bmargin screen "
+      "{}\n",
+      panel.left, panel.right, panel.top, panel.bottom);
+}
+
+// Where the names of a panel's lines stand; `inside`: where in it, if they do.
+std::string key_of(const Look& look, const Panel& panel, const char* inside) {
+  if (panel.key > 0) {
+    return fmt::format(
+        "set key at screen {}, screen {} center center horizontal maxrows 2 nobox samplen 1.5\n",
+        0.5 * (panel.left + panel.right), panel.key);
+  }
+  return fmt::format("set key inside {} opaque box linewidth {} spacing 1.1 Left reverse\n", inside,
+                     0.5 * look.axis_width);
+}
+
+std::string causes_over_time(const Curve& curve, const Look& look) {
+  std::string plot = fmt::format(
+      "plot $total using 1:2 with lines linewidth {} linecolor rgb '#1d2733' title 'total'",
+      look.total_width);
   for (std::size_t c = 0; c < kCauses.size(); ++c) {
     if (!felt(curve, c)) continue;
-    plot += fmt::format(
-        ", $causes using 1:{} with lines linewidth 1.6 linecolor rgb '{}' "
-        "title '{}'",
-        c + 2, kCauses[c].colour, kCauses[c].name);
+    plot +=
+        fmt::format(", $causes using 1:{} with lines linewidth {} linecolor rgb '{}' title '{}'",
+                    c + 2, look.cause_width, kCauses[c].colour, kCauses[c].name);
   }
-  script += plot + "\n";
+  return plot + "\n";
+}
+
+std::string force_over_depth(const Look& look) {
+  return fmt::format(
+      "set autoscale x\nset xlabel 'Tip travel beyond the first contact / mm'\n"
+      "plot $in using 1:2 with lines linewidth {0} linecolor rgb '#332288' title 'way in', "
+      "$hold using 1:2 with lines linewidth {0} linecolor rgb '#8f8f2b' title 'hold', "
+      "$out using 1:2 with lines linewidth {0} linecolor rgb '#cc6677' title 'way out'\n",
+      look.depth_width);
+}
+
+std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::uint32_t needle,
+                      const Look& look, PictureFormat format) {
+  const int scale = format == PictureFormat::kPng ? kPngScale : 1;
+  std::string script = terminal_of(look, format) + data_blocks(curve);
+  script += fmt::format(
+      "set encoding utf8\nset multiplot\nset border 3 linewidth {0}\nset tics nomirror out\n"
+      "set grid ytics linewidth {1} linecolor rgb '#CCCCCC'\n"
+      "set xzeroaxis linewidth {2} linecolor rgb '#777777'\n"
+      "set ylabel 'Axial force on the needle / N' offset 0.5\nset xlabel 'Time / s'\n"
+      "set offsets graph 0, graph 0, graph 0.06, graph 0.04\n",
+      look.axis_width, 0.5 * look.axis_width, 0.8 * look.axis_width);
+  script +=
+      key_of(look, look.time, "top right") + margins(look.time) + phase_shades(curve, look, scale);
+  script += fmt::format("set xrange [0:{:.6g}]\n",
+                        static_cast<double>(curve.track.back().tick) * curve.period_s);
+  script += causes_over_time(curve, look);
   for (std::size_t i = 1; i <= curve.phases.size(); ++i) {
-    script += fmt::format("unset object {0}\nunset label {0}\n", i);
+    script += fmt::format("unset {0} {1}\nunset label {1}\n", look.shades ? "object" : "arrow", i);
   }
   script += fmt::format(
-      "set label 99 '{}, {} mode, {:.2f} mm needle' at screen 0.97, screen 0.015 right font ',{}' "
+      "set label 99 '{}, {} mode, {:.2f} mm needle' at screen {}, screen 0.015 right font ',{}' "
       "noenhanced textcolor rgb '#555555'\n",
       legend_text(info.organ_name), info.config.mode == Mode::kPaper ? "paper" : "physical",
-      2e3 * static_cast<double>(info.config.needle[needle].outer_radius_m), svg ? 10 : 20);
-  script +=
-      "set tmargin screen 0.47\nset bmargin screen 0.125\nset autoscale x\n"
-      "set xlabel 'Tip travel beyond the first contact / mm'\nset key top left\n"
-      "plot $in using 1:2 with lines linewidth 2.2 linecolor rgb '#332288' title 'way in', "
-      "$hold using 1:2 with lines linewidth 2.2 linecolor rgb '#8f8f2b' title 'hold', "
-      "$out using 1:2 with lines linewidth 2.2 linecolor rgb '#cc6677' title 'way out'\n";
-  return script;
+      2e3 * static_cast<double>(info.config.needle[needle].outer_radius_m), look.depth.right,
+      scale * look.note_px);
+  return script + key_of(look, look.depth, "top left") + margins(look.depth) +
+         force_over_depth(look);
 }
 
 // Runs gnuplot with `script` as its input and `output_fd` as its output.
@@ -254,7 +287,7 @@ void run_gnuplot(const std::string& script, int output_fd) {
 }
 
 // Through memory: gnuplot does not report what it could not write.
-std::string gnuplot_picture(const std::string& script, bool svg) {
+std::string gnuplot_picture(const std::string& script, PictureFormat format) {
   const int file = memfd_create("picture", MFD_CLOEXEC);
   if (file < 0) throw std::runtime_error("gnuplot: no memory for its picture");
   std::string picture;
@@ -262,7 +295,9 @@ std::string gnuplot_picture(const std::string& script, bool svg) {
     run_gnuplot(script, file);
     picture.resize(static_cast<std::size_t>(lseek(file, 0, SEEK_END)));
     const ssize_t size = pread(file, picture.data(), picture.size(), 0);
-    const std::string_view end = svg ? "</svg>" : "IEND";
+    const std::string_view end = format == PictureFormat::kSvg   ? "</svg>"
+                                 : format == PictureFormat::kPng ? "IEND"
+                                                                 : "%%EOF";
     if (size < 0 || picture.find(end, picture.size() - std::min<std::size_t>(20, picture.size())) ==
                         std::string::npos) {
       throw std::runtime_error("gnuplot: its picture is incomplete: is memory full?");
@@ -275,18 +310,42 @@ std::string gnuplot_picture(const std::string& script, bool svg) {
   return picture;
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+PictureFormat format_of(const std::string& name) {
+  const std::string ending = std::filesystem::path(name).extension();
+  if (ending == ".svg") return PictureFormat::kSvg;
+  if (ending == ".png") return PictureFormat::kPng;
+  if (ending == ".pdf") return PictureFormat::kPdf;
+  throw std::runtime_error(
+      fmt::format("{}: expected a name that ends in .svg, .pdf or .png", name));
 }
 
 }  // namespace
 
-int plot(const PlotOptions& options) {
-  const bool svg = ends_with(options.output, ".svg");
-  if (!svg && !ends_with(options.output, ".png")) {
-    throw std::runtime_error(
-        fmt::format("{}: expected a name that ends in .svg or .png", options.output));
+std::string terminal_of(const Look& look, PictureFormat format) {
+  constexpr double kPxPerInch = 96, kPointsPerInch = 72;
+  switch (format) {
+    case PictureFormat::kSvg:
+      return fmt::format(
+          "set terminal svg size {},{} font 'DejaVu Sans,{}' background rgb 'white'\n",
+          look.width_px, look.height_px, look.font_px);
+    case PictureFormat::kPng:
+      return fmt::format(
+          "set terminal pngcairo size {},{} fontscale 1 font 'DejaVu Sans,{}' linewidth {}\n",
+          kPngScale * look.width_px, kPngScale * look.height_px, kPngScale * look.font_px,
+          kPngScale);
+    case PictureFormat::kPdf:
+      break;
   }
+  return fmt::format(
+      "set terminal pdfcairo size {:.4f}in,{:.4f}in fontscale {:.4f} font 'DejaVu Sans,{}' "
+      "linewidth 1 background rgb 'white'\n",
+      look.width_px / kPxPerInch, look.height_px / kPxPerInch, kPointsPerInch / kPxPerInch,
+      look.font_px);
+}
+
+int plot(const PlotOptions& options) {
+  const PictureFormat format = format_of(options.output);
+  const auto look = std::ranges::find(kLooks, options.style, &Look::name);
   const std::string output = hal::checked_output(options.output, std::array{options.recording});
   const hal::RecordingReader recording(options.recording);
   if (recording.ticks() == 0) {
@@ -297,9 +356,9 @@ int plot(const PlotOptions& options) {
     throw hal::RecordingError(fmt::format("{}: needle {}: expected 0 to {}", options.recording,
                                           options.needle, needles - 1));
   }
-  const std::string script =
-      script_of(read_curve(recording, options.needle), recording.info(), options.needle, svg);
-  hal::write_output(output, gnuplot_picture(script, svg));
+  const std::string script = script_of(read_curve(recording, options.needle), recording.info(),
+                                       options.needle, *look, format);
+  hal::write_output(output, gnuplot_picture(script, format));
   fmt::print("{}\n", options.output);
   return kExitOk;
 }

@@ -22,7 +22,8 @@ GOLDEN = ROOT / "tests/golden/scenes.json"
 # Folder of pictures, their ending, the script that draws them and all that decides how.
 KINDS = {
     "scenes": (HERE / "pictures", ".svg", "hal/scenes/play.py --pictures",
-               ["hal/scenes/draw.py", "hal/palette.csv", "hal/app/plot.cpp"]),
+               ["hal/scenes/draw.py", "hal/palette.csv", "hal/app/plot.cpp",
+                "hal/app/plot_look.h"]),
     "page": (ROOT / "hal/console/pictures", ".png", "hal/console/pictures.py",
              ["hal/console/pictures.py", "hal/console/page/picture.mjs",
               *(f"hal/console/page/dist/{name}" for name in ("index.html", "app.css", "app.js"))]),
