@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes every figure and table of the READMEs again, each with its own command.
 #
-#   figures.sh           all that this machine can make in minutes: scenes, page, offline, calculix
+#   figures.sh           all that this machine can make in minutes: scenes, page, offline, calculix,
+#                        validation, published
 #   figures.sh NAME...   only these
 #   figures.sh --list    lists which command makes which
 #   figures.sh --check   lists pictures that differ from what scenes do now; a test does this, too
@@ -12,13 +13,15 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-names=(scenes page offline calculix growth speed constants promises)
-usual=(scenes page offline calculix)
+names=(scenes page offline calculix validation published growth speed constants promises)
+usual=(scenes page offline calculix validation published)
 declare -A makes=(
   [scenes]="hal/scenes/pictures/*.svg"
   [page]="hal/console/pictures/*.png"
   [offline]="offline/docs/quality.md: table of real organs"
   [calculix]="tests/fidelity/calculix/convergence.svg"
+  [validation]="book/figures/[bc]*.svg"
+  [published]="book/figures/published.svg"
   [growth]="tests/bench/results/growth.svg"
   [speed]="tests/bench/results/*.csv, README.md: tables of speed"
   [constants]="kernel/constants.md"
@@ -29,6 +32,9 @@ declare -A commands=(
   [page]="hal/console/pictures.py"
   [offline]="offline/figures.py $build/bin/stylet-organ ${STYLET_DATA:-../shared/data}"
   [calculix]="tests/fidelity/calculix/plot.py $build/bin/stylet_calculix_lattice"
+  [validation]="tests/fidelity/figures.py $build book/figures"
+  [published]="PYTHONPATH=$build/python offline/python/examples/calibrate.py \
+             book/figures/published.svg"
   [growth]="tests/bench/growth.py $build/bin/stylet-work --out tests/bench/results"
   [speed]="$build/bin/stylet bench --results=tests/bench/results &&
            tests/bench/table.py tests/bench/results README.md"

@@ -56,9 +56,9 @@ def main():
         matplotlib.use("Agg")  # needs no screen
         from matplotlib import pyplot
         way_mm, fitted_n = np.arange(len(PUBLISHED_N)) + 0.5, PUBLISHED_N - found.residuals
-        pyplot.plot(way_mm, PUBLISHED_N, "o", way_mm, fitted_n)
+        pyplot.plot(way_mm, PUBLISHED_N, "ko", way_mm, fitted_n, "#882255", mfc="none")
         pyplot.gca().set(xlabel="way from the first contact (mm)", ylabel="force on the needle (N)")
-        pyplot.legend(["published", "simulated, fitted"])
+        pyplot.legend(["published (Okamura et al. 2004)", "simulated, fitted"], frameon=False)
         pyplot.savefig(sys.argv[1])
 
 
