@@ -41,6 +41,8 @@ to_test=(
   mono-mcs mono-runtime octave octave-dev
   # the console's page, which to build and run needs neither; the package for npm
   chromium emscripten nodejs
+  # the book
+  doxygen libjs-katex mkdocs-material
   # other processors
   g++-aarch64-linux-gnu g++-i686-linux-gnu gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib
   qemu-system-arm qemu-system-x86 qemu-user
