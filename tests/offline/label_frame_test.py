@@ -353,7 +353,8 @@ class Nrrd(Case):
         path.write_bytes(head + b"\nkinds: list domain domain domain\n\n" + voxels * 2)
         self.changed(path, b"space directions: ", b"space directions: none ")
         self.refused(path, "2 values a voxel and 0 segments: expected labels")
-        many = "".join(f"\nSegment{i}_ID:=s\nSegment{i}_LabelValue:={i}" for i in range(501))
+        many = "".join(f"\nSegment{i}_ID:=s\nSegment{i}_LabelValue:={i + 1}"
+                       for i in range(501))
         self.refused(self.changed(path, b"\n\n", many.encode() + b"\n\n"),
                      "2 values a voxel and 501 segments: expected labels")
 
