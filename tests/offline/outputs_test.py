@@ -165,6 +165,12 @@ class Case(unittest.TestCase):
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stderr, r"t\.toml:[34]: .*" + said)
 
+    def test_an_unknown_tissue_is_named_with_its_recipe(self):
+        self.write("w.toml", b"[tissues]\nlover = [5]\n")
+        before = self.state()
+        done = self.run_tool("build", "map.nrrd", "--recipe", "w.toml", "-o", "w.organ")
+        self.refused(before, done, "w.toml: tissue 'lover': expected one of")
+
     def test_names_of_what_is_open_stay(self):
         """Links of the system, where standard output is a file, too."""
         names = ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")

@@ -65,6 +65,14 @@ void choose_layers(const Settings& s, const std::vector<std::string>& tissues,
                                       s.layers_along, joined(s.layers));
 }
 
+// Refused with the name of the recipe, which names the tissue.
+std::string tissue_of_recipe(const BuildOptions& options, const LabelSource& source,
+                             const std::string& name) try {
+  return find_tissue(options.own_tissues, name).name;
+} catch (const Refusal& refusal) {
+  refuse("{}: {}", source.recipe_text, refusal.what());
+}
+
 }  // namespace
 
 const char* tool_version() {
@@ -131,9 +139,9 @@ void choose_capsule(const Settings& s, const std::vector<std::string>& tissues,
 void choose_for_labels(const Settings& s, const LabelSource& source, const Recipe& recipe,
                        BuildOptions& options) {
   const std::vector<std::string> tissues = names_of_tissues(recipe.groups);
-  for (const std::string& tissue : tissues) (void)find_tissue(options.own_tissues, tissue);
+  for (const std::string& tissue : tissues) (void)tissue_of_recipe(options, source, tissue);
   for (const WallLayer& layer : recipe.wall) {
-    options.wall.push_back(find_tissue(options.own_tissues, layer.tissue).name);
+    options.wall.push_back(tissue_of_recipe(options, source, layer.tissue));
   }
   options.options_text += " --recipe " + source.recipe_text;
   if (options.name.empty()) {
