@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 FETCH = pathlib.Path(__file__).resolve().parent.parent / "debian_source.sh"
-OFFLINE = "#!/bin/sh\necho 'E: Temporary failure resolving deb.debian.org' >&2\nexit 100\n"
+OFFLINE = "#!/bin/sh\necho 'E: Temporary failure resolving mirror.invalid' >&2\nexit 100\n"
 VERSION = "#!/bin/sh\necho 1:1.0\n"  # with an epoch, which names of files do not have
 CONTROL = """Source: gel
 Maintainer: Nobody <nobody@stylet.invalid>
