@@ -445,8 +445,12 @@ TEST(LabelOrgan, ObstaclesAndTargetsLieWhereTheirLabelsDo) {
   EXPECT_LT(length(built.targets[0].middle_m - Vec{-7.5e-3, 0, 0}), 1.5e-3);
   EXPECT_THAT(built.report.warnings,
               testing::Contains("none of the labels of nothing is in the map"));
-  const std::string scene = offline::scene_toml("a.organ", {"a.stone.toml"},
-                                                {{"lesion", {0.001, -0.02, 0.3}, 1e-6, 6e-3}});
+  EXPECT_TRUE(built.targets[0].in_tissue);
+  // The needle goes through the first target that lies in tissue.
+  const std::string scene =
+      offline::scene_toml("a.organ", {"a.stone.toml"},
+                          {{"beside", {0.5, 0.5, 0.5}, 1e-6, 6e-3, false},
+                           {"lesion", {0.001, -0.02, 0.3}, 1e-6, 6e-3, true}});
   EXPECT_THAT(scene, testing::HasSubstr("point_mm = [1.00, -20.00, 300.00]"));
   EXPECT_THAT(scene, testing::HasSubstr("hull = \"a.stone.toml\""));
 }
