@@ -733,6 +733,22 @@ class Bench(unittest.TestCase):
         self.assertNotRegex(table, "alone|beside|shared")
 
 
+class Recipe(Folder):
+    def test_a_scene_of_as_many_targets_as_a_recipe_may_have_runs(self):
+        """With the longest names; the first one lies outside the organ."""
+        labels = self.top / "map.nrrd"
+        labels.write_bytes(
+            b"NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 4 4 4\nspace directions: "
+            b"(10,0,0) (0,10,0) (0,0,10)\nspace origin: (0,0,0)\nencoding: raw\n\n" +
+            32 * b"\5" + 32 * b"\7")
+        recipe = self.top / "t.toml"
+        recipe.write_text("[tissues]\nliver = [5]\n[targets]\n" + "".join(
+            f"{i:040} = [{5 if i else 7}]\n" for i in range(32)), encoding="utf-8")
+        call("stylet-organ", "build", labels, "--recipe", recipe, "--voxel-mm", "5", "-o",
+             self.top / "t.organ")
+        call("stylet", "run", self.top / "t.scene.toml", "--fast", "--duration-s", "0.05")
+
+
 class Refusals(Folder):
     """A user's mistake ends in one line with the place, and leaves no file behind."""
 
