@@ -193,6 +193,13 @@ class Case(unittest.TestCase):
         self.assertEqual({path.name for path in (self.folder / "far").iterdir()},
                          {"hull.toml", "a.organ"})
 
+    def test_links_without_end_are_refused(self):
+        os.symlink("loop", self.folder / "loop")
+        before = self.state()
+        for output, said in (("loop", "loop: leads from link to link without end"),
+                             ("loop/hull.toml", "cannot be written: Too many levels")):
+            self.refused(before, self.run_tool("hull", "cube.off", "-o", output), said)
+
     def test_a_full_disk_leaves_what_was_there(self):
         counted_nowhere = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}  # by coverage.sh
         def no_room(most):
