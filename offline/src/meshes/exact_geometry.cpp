@@ -9,17 +9,16 @@ using Robust = CGAL::Robust_weighted_circumcenter_filtered_traits_3<CgalKernel>;
 
 template <typename... Args>
 P WrapGeometry::Construct_circumcenter_3::operator()(const Args&... args) const {
-  // CGAL 5.5 computes the centre of three points from the last one and adds it to the first: wrong
-  // by the way between the two. Its function for points with weights is right.
-  if constexpr (sizeof...(args) == 3) {
-    return Robust().construct_weighted_circumcenter_3_object()(B(args)...);
-  } else {
-    return Robust().construct_circumcenter_3_object()(args...);
-  }
+  return Robust().construct_circumcenter_3_object()(args...);
 }
 template P WrapGeometry::Construct_circumcenter_3::operator()(const P&, const P&, const P&,
                                                               const P&) const;
-template P WrapGeometry::Construct_circumcenter_3::operator()(const P&, const P&, const P&) const;
+// CGAL 5.5 computes the centre of three points from the last one and adds it to the first: wrong by
+// the way between the two. Its function for points with weights is right.
+template <>
+P WrapGeometry::Construct_circumcenter_3::operator()(const P& p, const P& q, const P& r) const {
+  return Robust().construct_weighted_circumcenter_3_object()(B(p), B(q), B(r));
+}
 
 template <typename... Args>
 CGAL::Oriented_side WrapGeometry::Side_of_oriented_sphere_3::operator()(const Args&... args) const {

@@ -34,6 +34,10 @@ class WrapGeometry : public CGAL::Alpha_wraps_3::internal::Alpha_wrap_AABB_trait
   static Coplanar_side_of_bounded_circle_3 coplanar_side_of_bounded_circle_3_object() { return {}; }
 };
 
+template <>
+CgalPoint WrapGeometry::Construct_circumcenter_3::operator()(const CgalPoint& p, const CgalPoint& q,
+                                                             const CgalPoint& r) const;
+
 class MeshGeometry : public CgalKernel {
  public:
   struct Construct_weighted_circumcenter_3 {
