@@ -7,11 +7,11 @@ usage: book.py [--out FOLDER] [--bin FOLDER]
 --out is build/book unless told otherwise, and its first page index.html; --bin, build/release/bin,
 has the programs, whose --help is part of the book.
 
-The book's own pages are in `book`; all others are the repository's own (READMEs, PHYSICS.md,
-GUARD.md, ...), taken as they are. Which, and in what order, is the nav of book/mkdocs.yml; a page
-that one of them links to comes along. A link to another file leads to its listing, one to a header
-of the interface to Doxygen's page of it. Below each figure stand the command that makes it
-(figures.sh) and the commit.
+The book's own pages are in toolchain/book; all others are the repository's own (READMEs,
+PHYSICS.md, GUARD.md, ...), taken as they are. The nav of mkdocs.yml there says which, and in what
+order; a page that one of them links to comes along. A link to another file leads to its listing,
+one to a header of the interface to Doxygen's page of it. Below each figure stand the command that
+makes it (figures.sh) and the commit.
 
 Anything wrong is an error: a link that leads nowhere, a figure without a command, a warning of
 mkdocs or Doxygen. Needs mkdocs-material, doxygen, libjs-katex and nodejs of Debian (setup.sh test).
@@ -30,6 +30,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+OWN = "toolchain/book"  # the book's own pages and their looks
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 THEME = pathlib.Path("/usr/share/mkdocs/themes/material")
 NEEDED = {"mkdocs": "mkdocs-material", str(THEME / "base.html"): "mkdocs-material",
@@ -130,7 +131,7 @@ class Book:
         if name.endswith(".md"):
             if name == "README.md":  # mkdocs would take it for the first page
                 return "project.md"
-            return name.removeprefix("book/")
+            return name.removeprefix(f"{OWN}/")
         if pathlib.PurePath(name).suffix in PICTURES:
             return name
         return f"source/{name}.md"
@@ -228,11 +229,11 @@ def placed(nav, place):
 
 def doxygen(folder):
     """Doxygen's pages of the interface in `folder`/api."""
-    settings = (ROOT / "book/Doxyfile").read_text() + "\n".join([
-        f"INPUT = book/mainpage.dox {' '.join(INTERFACE)}",
+    settings = (ROOT / OWN / "Doxyfile").read_text() + "\n".join([
+        f"INPUT = {OWN}/mainpage.dox {' '.join(INTERFACE)}",
         f"OUTPUT_DIRECTORY = {folder}", "HTML_OUTPUT = api",
         f"FILTER_PATTERNS = *.h={ROOT / 'toolchain/book_headers.py'}",
-        f"STRIP_FROM_PATH = {ROOT}", f"HTML_EXTRA_STYLESHEET = {ROOT / 'book/theme/api.css'}", ""])
+        f"STRIP_FROM_PATH = {ROOT}", f"HTML_EXTRA_STYLESHEET = {ROOT / OWN / 'theme/api.css'}", ""])
     done = subprocess.run(["doxygen", "-"], input=settings, cwd=ROOT, capture_output=True,
                           text=True)
     if done.returncode != 0 or done.stderr.strip():
@@ -279,10 +280,10 @@ def build(out, programs):
         work = pathlib.Path(name)
         (work / "docs/assets").mkdir(parents=True)
         doxygen(work / "docs")
-        settings = yaml.safe_load((ROOT / "book/mkdocs.yml").read_text())
+        settings = yaml.safe_load((ROOT / OWN / "mkdocs.yml").read_text())
         book = Book(work / "docs", programs)
         book.write(named_in(settings["nav"]))
-        shutil.copytree(ROOT / "book/theme/assets", work / "docs/assets", dirs_exist_ok=True)
+        shutil.copytree(ROOT / OWN / "theme/assets", work / "docs/assets", dirs_exist_ok=True)
         (work / "docs/assets/katex").mkdir()
         shutil.copy(KATEX / "katex.min.css", work / "docs/assets/katex")
         shutil.copytree(KATEX / "fonts", work / "docs/assets/katex/fonts",
@@ -290,7 +291,7 @@ def build(out, programs):
                                                  if not file.endswith(".woff2")])
         settings["nav"] = placed(settings["nav"], book.place)
         settings.update(docs_dir=str(work / "docs"), site_dir=str(work / "site"))
-        settings["theme"]["custom_dir"] = str(ROOT / "book/theme")
+        settings["theme"]["custom_dir"] = str(ROOT / OWN / "theme")
         settings.setdefault("extra", {})["generator"] = False
         (work / "mkdocs.yml").write_text(yaml.safe_dump(settings, sort_keys=False))
         run("mkdocs", "build", "--strict", "--quiet", "--config-file", work / "mkdocs.yml",

@@ -20,8 +20,8 @@ declare -A makes=(
   [page]="hal/console/pictures/*.png"
   [offline]="offline/docs/quality.md: table of real organs"
   [calculix]="tests/fidelity/calculix/convergence.svg"
-  [validation]="book/figures/[bc]*.svg"
-  [published]="book/figures/published.svg"
+  [validation]="toolchain/book/figures/[bc]*.svg"
+  [published]="toolchain/book/figures/published.svg"
   [growth]="tests/bench/results/growth.svg"
   [speed]="tests/bench/results/*.csv, README.md: tables of speed"
   [constants]="kernel/constants.md"
@@ -32,9 +32,9 @@ declare -A commands=(
   [page]="hal/console/pictures.py"
   [offline]="offline/figures.py $build/bin/stylet-organ ${STYLET_DATA:-../shared/data}"
   [calculix]="tests/fidelity/calculix/plot.py $build/bin/stylet_calculix_lattice"
-  [validation]="tests/fidelity/figures.py $build book/figures"
+  [validation]="tests/fidelity/figures.py $build toolchain/book/figures"
   [published]="PYTHONPATH=$build/python offline/python/examples/calibrate.py \
-             book/figures/published.svg"
+             toolchain/book/figures/published.svg"
   [growth]="tests/bench/growth.py $build/bin/stylet-work --out tests/bench/results"
   [speed]="$build/bin/stylet bench --results=tests/bench/results &&
            tests/bench/table.py tests/bench/results README.md"

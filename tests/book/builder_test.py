@@ -40,8 +40,8 @@ class Pages(unittest.TestCase):
         return self.book.page(name).split("---\n", 2)[2]  # behind the head
 
     def test_links_to_pages_sources_and_folders(self):
-        text = "[g](../hal/g.md#x) [c](../hal/c.cpp) [d](../hal) [w](https://w/)\n"
-        made = self.page("book/a.md", text, **{"hal/g.md": "", "hal/c.cpp": ""})
+        text = "[g](../../hal/g.md#x) [c](../../hal/c.cpp) [d](../../hal) [w](https://w/)\n"
+        made = self.page("toolchain/book/a.md", text, **{"hal/g.md": "", "hal/c.cpp": ""})
         self.assertEqual(made, "[g](hal/g.md#x) [c](source/hal/c.cpp.md) d [w](https://w/)\n")
         self.assertEqual(self.book.known, {"hal/g.md", "hal/c.cpp"})
 
@@ -83,7 +83,7 @@ class Names(unittest.TestCase):
     """Names that the book's own pages say in passing are there."""
 
     def spans(self, pattern):
-        for path in sorted((SOURCE / "book").glob("*.md")):
+        for path in sorted((SOURCE / "toolchain/book").glob("*.md")):
             for span in re.findall(r"`([^`\n]+)`", path.read_text()):
                 for name in re.findall(pattern, span):
                     yield path.name, name
@@ -117,7 +117,7 @@ class Citation(unittest.TestCase):
         lists = (SOURCE / "CMakeLists.txt").read_text()
         project = re.search(r"project\(stylet VERSION ([\d.]+)", lists)
         self.assertIn(f"\nversion: {project[1]}\n", (SOURCE / "CITATION.cff").read_text())
-        self.assertIn(f"Version {project[1]}.", (SOURCE / "book/cite.md").read_text())
+        self.assertIn(f"Version {project[1]}.", (SOURCE / "toolchain/book/cite.md").read_text())
 
 
 class Links(unittest.TestCase):

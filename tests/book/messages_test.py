@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The messages that book/troubleshooting.md quotes are those of the sources, word by word.
+"""The messages that the book's troubleshooting.md quotes are those of the sources, word by word.
 
 A quotation is a line `> `message`` with … for what differs from time to time; in the sources that
 is {...} of a format, or where one text ends and another is put behind it.
@@ -13,7 +13,7 @@ import re
 import unittest
 
 SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
-PAGE = SOURCE / "book/troubleshooting.md"
+PAGE = SOURCE / "toolchain/book/troubleshooting.md"
 LEAST_SYMPTOMS = 25
 LITERALS = re.compile(r'(?:"(?:\\.|[^"\\\n])*"\s*)+')
 

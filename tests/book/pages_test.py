@@ -30,7 +30,7 @@ from readme_test import DATA, Tree  # the installed tree, with PATH and librarie
 BLOCK = re.compile(r"^(?:<!-- (shown|exit (\d+)): ([^\n]+) -->\n)?"
                    r"```(\w+)?(?: title=\"([^\"]+)\")?\n(.*?)^```$", re.M | re.S)
 NEEDS = re.compile(r"^\s*(cc|c\+\+|cmake|mcs|mono|mkoctfile|octave|node)\b", re.M)
-PAGES = sorted(path.stem for path in (SOURCE / "book").glob("*.md"))
+PAGES = sorted(path.stem for path in (SOURCE / "toolchain/book").glob("*.md"))
 
 
 def masked(line):
@@ -122,7 +122,7 @@ class Pages(unittest.TestCase):
         cls.tree.env["SHARE"] = str(cls.tree.top)
 
     def page(self, name):
-        text = (SOURCE / f"book/{name}.md").read_text()
+        text = (SOURCE / f"toolchain/book/{name}.md").read_text()
         self.assertEqual(unclaimed(text), [], "code that is in no block of the right form")
         folder = pathlib.Path(self.top.name) / "pages" / name
         folder.mkdir(parents=True)
@@ -130,9 +130,9 @@ class Pages(unittest.TestCase):
         for match in BLOCK.finditer(text):
             line = text.count("\n", 0, match.start()) + 1
             try:
-                print(f"book/{name}.md:{line}: {reader.use(*match.groups())}", flush=True)
+                print(f"toolchain/book/{name}.md:{line}: {reader.use(*match.groups())}", flush=True)
             except AssertionError as fault:
-                raise AssertionError(f"book/{name}.md:{line}: {fault}") from None
+                raise AssertionError(f"toolchain/book/{name}.md:{line}: {fault}") from None
 
 
 for page in PAGES:

@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["kernel", "hal", "offline", "tests", "toolchain", "book", ".ci"]
+FOLDERS = ["kernel", "hal", "offline", "tests", "toolchain", ".ci"]
 SOURCE = {".h", ".cpp", ".py", ".sh", ".cmake", ".ts", ".mjs", ".css"}
 NOT_WRITTEN_HERE = {"__pycache__", "node_modules", "generated", "dist"}
 COLUMNS = 100
