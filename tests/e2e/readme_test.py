@@ -274,9 +274,10 @@ def try_readme(tree, name, slow):
 
 
 def all_readmes(top):
+    """Not the book's pages, whose blocks follow from each other: book.pages runs those."""
     return sorted(path.relative_to(top).as_posix() for path in top.rglob("*.md")
                   if not {"build", "node_modules"} & set(path.relative_to(top).parts)
-                  and path.name != "CHANGELOG.md")
+                  and path.parent != top / "toolchain/book" and path.name != "CHANGELOG.md")
 
 
 def main(kind, *words):
