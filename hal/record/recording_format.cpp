@@ -44,6 +44,11 @@ void AttributeWriter::optional_text(const char* name, const std::string& value) 
   if (!value.empty()) text(name, value);
 }
 
+void AttributeWriter::optional_vector(const char* name, const Vec3& value) const {
+  const bool zero = value.x == 0 && value.y == 0 && value.z == 0;
+  if (!zero) number(name, ColumnType::kFloat32, 3, &value);
+}
+
 // Stored as a dataset, because an attribute holds 64 KiB at most.
 void AttributeWriter::text(const char* name, const std::string& value) const {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -83,6 +88,10 @@ void AttributeReader::number(const char* name, ColumnType type, std::uint32_t wi
 
 void AttributeReader::optional_text(const char* name, std::string& value) const {
   if (H5Lexists(file, name, H5P_DEFAULT) > 0) text(name, value);
+}
+
+void AttributeReader::optional_vector(const char* name, Vec3& value) const {
+  if (H5Aexists(file, name) > 0) number(name, ColumnType::kFloat32, 3, &value);
 }
 
 void AttributeReader::text(const char* name, std::string& value) const {

@@ -43,12 +43,13 @@ void visit_attributes(Visitor& visit, Info& info) {
                &info.config.breathing.period_s);
 }
 
-// Texts that a recording need not have: a run on a virtual clock has no date, so that its file is
-// the same each time.
+// What a recording need not have. A run on a virtual clock has no date, so that its file is the
+// same each time.
 template <typename Visitor, typename Info>
-void visit_optional_texts(Visitor& visit, Info& info) {
+void visit_optional(Visitor& visit, Info& info) {
   visit.optional_text("began", info.began);
   visit.optional_text("trainee", info.trainee);
+  visit.optional_vector("config_gravity_m_per_s2", info.config.gravity_m_per_s2);
 }
 
 // What is known only at the end.
@@ -69,6 +70,7 @@ struct AttributeWriter {
   void number(const char* name, ColumnType type, std::uint32_t width, const void* value) const;
   void text(const char* name, const std::string& value) const;
   void optional_text(const char* name, const std::string& value) const;
+  void optional_vector(const char* name, const Vec3& value) const;  // not if it is zero
 };
 
 // Rewrites attributes that exist.
@@ -86,6 +88,7 @@ struct AttributeReader {
   void number(const char* name, ColumnType type, std::uint32_t width, void* value) const;
   void text(const char* name, std::string& value) const;
   void optional_text(const char* name, std::string& value) const;
+  void optional_vector(const char* name, Vec3& value) const;
 };
 
 // Rows in a block, which is written at once and as a whole chunk: so no chunk is written twice.

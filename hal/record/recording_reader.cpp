@@ -93,7 +93,7 @@ RecordingReader::RecordingReader(const std::string& path) {
                      kFormatVersion));
   }
   visit_attributes(reader, file_->info);
-  visit_optional_texts(reader, file_->info);
+  visit_optional(reader, file_->info);
   read_bodies(id, file_->path, file_->info);
   Ending ending;
   visit_ending(reader, ending);

@@ -131,7 +131,7 @@ RecordingWriter::RecordingWriter(const std::string& path, const RecordingInfo& i
   writer.text("format", kFormatName);
   writer.number("format_version", ColumnType::kUint32, 1, &kFormatVersion);
   visit_attributes(writer, info);
-  visit_optional_texts(writer, info);
+  visit_optional(writer, info);
   write_bodies(id, file_->path, info);
   for (Table& each : file_->ticks) each.create();
   file_->events.create();

@@ -239,4 +239,24 @@ BreathingConfig read_breathing(Section breathing) {
   return config;
 }
 
+Vec3 read_gravity(Section gravity) {
+  constexpr double kMost = kMaxGravityMPerS2;
+  const auto now = gravity.numbers<3>("now_m_per_s2", {}, -kMost, kMost);
+  const auto at_rest = gravity.numbers<3>("at_rest_m_per_s2", {}, -kMost, kMost);
+  if (gravity.has("at_rest_m_per_s2") && !gravity.has("now_m_per_s2")) {
+    gravity.fail("now_m_per_s2", "a list of 3 numbers: the gravity that acts");
+  }
+  std::array<double, 3> change = now;
+  double square = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    change[i] -= at_rest[i];
+    square += change[i] * change[i];
+  }
+  if (square > kMost * kMost) {
+    gravity.fail("now_m_per_s2", fmt::format("at most {} from at_rest_m_per_s2", kMost));
+  }
+  gravity.finish();
+  return si(change, 1);
+}
+
 }  // namespace stylet::hal

@@ -24,5 +24,7 @@ std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
                                            std::vector<std::string>& hulls_out);
 std::vector<Target> read_targets(std::vector<Section> sections);
 BreathingConfig read_breathing(Section breathing);
+// What acts now, less what acted when the organ's shape was taken.
+Vec3 read_gravity(Section gravity);
 
 }  // namespace stylet::hal

@@ -276,6 +276,7 @@ Scene parse_scene(std::string_view text, const std::string& file, std::size_t he
   scene.config.paper_alpha = static_cast<float>(paper.number("alpha", 0.5, 0.001, 1));
   paper.finish();
   scene.config.breathing = read_breathing(root.table("breathing"));
+  scene.config.gravity_m_per_s2 = read_gravity(root.table("gravity"));
   scene.obstacles = read_obstacles(root.tables("obstacles"), file, scene.hulls);
   scene.targets = read_targets(root.tables("targets"));
   read_needles(root, held, scene);

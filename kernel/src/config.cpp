@@ -48,6 +48,7 @@ Status check_tissue(const Config& c, ConfigRefusal* refusal_out) {
   within("paper_alpha", c.paper_alpha, 1e-3F, 1);
   within("breathing.period_s", c.breathing.period_s, 0.1F, 1000);
   within("breathing.amplitude_m", norm(c.breathing.amplitude_m), 0, kMaxBreathM);
+  within("gravity_m_per_s2", norm(c.gravity_m_per_s2), 0, kMaxGravityMPerS2);
   first.check("needle_count", c.needle_count, 1, kMaxNeedles);
   return first.status(refusal_out);
 }

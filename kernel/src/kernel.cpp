@@ -16,6 +16,7 @@
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "laws/cone.h"
+#include "laws/stiffening.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
 #include "state/layout.h"
@@ -56,11 +57,13 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   out.lattice_shear_pa =
       shear_modulus_pa(m.youngs_modulus_pa + m.membrane_n_per_m / edge_m, lambda_pa);
   out.lattice_volume_ratio = lambda_pa / (2 * out.lattice_shear_pa);
+  out.stiffening = m.strain_stiffening;
   if (config.mode == Mode::kPaper) {
     const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
     out.shear_pa = config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m;
     out.lattice_shear_pa = out.shear_pa;
     out.poisson_ratio = out.lattice_volume_ratio = out.skin_shear_n_per_m = 0;
+    out.stiffening = 0;
     out.film = {};
   }
   out.puncture_n = m.puncture_force_n;
@@ -153,6 +156,14 @@ void sum_tied(Model& model, const Counts& counts, float* of_node) {
   }
 }
 
+// Bound on the stiffness of a voxel's motions at each corner (PHYSICS 3.2). Those that change the
+// volume are one family, those that stiffen the other.
+float corner_bound(const Model& model, std::uint32_t slot) {
+  const bool stiff = stiffens(model) && model.slot_stiffening[slot] > 0;
+  const float shape = stiff ? kStiffestMotion * kMaxStiffer : 0.0F;
+  return model.slot_k[slot] * (1 + max_of(3 * model.slot_volume[slot], shape));
+}
+
 // Stiffness of the slots; mass and stiffness of the particles, as sums.
 void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
   const ModelHead& head = *model.head;
@@ -178,6 +189,7 @@ void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
       model.voxel_row[voxel] = row_index;
       model.slot_k[slot] = m.lattice_shear_pa * head.edge_m * fill;
       model.slot_volume[slot] = m.lattice_volume_ratio;
+      if (stiffens(model)) model.slot_stiffening[slot] = m.stiffening;
       model.slot_fill[slot] = fill;
       model.slot_material[slot] = material;
       const float density = organ_material(organ, material).density_kg_per_m3;
@@ -185,7 +197,7 @@ void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
         const std::uint32_t p = row.node[corner >> 1U] + x - row.x0 + (corner & 1U);
         model.particle_kg[p] += density * fill * corner_m3;
         model.hourglass_n_per_m[p] += model.slot_k[slot] * head.hourglass_weight;
-        model.step_per_mass[p] += model.slot_k[slot] * (1 + 3 * model.slot_volume[slot]);
+        model.step_per_mass[p] += corner_bound(model, slot);
       }
     }
   }
@@ -214,7 +226,7 @@ void fill_filter(Model& model, const Counts& counts, float limit) {
   head.filter = choose_filter(limit, fastest);
   for (std::uint32_t i = 0; i < counts.slots; ++i) {
     // Per corner: the mean is over eight.
-    model.slot_bound[i] = 0.125F * (model.slot_k[i] * (1 + 3 * model.slot_volume[i]));
+    model.slot_bound[i] = 0.125F * corner_bound(model, i);
   }
 }
 

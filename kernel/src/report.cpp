@@ -9,6 +9,7 @@
 #include "coupling/roll.h"
 #include "coupling/spring.h"
 #include "lattice/voxel.h"
+#include "laws/stiffening.h"
 #include "needle/rod.h"
 #include "state/attachment.h"
 #include "state/layout.h"
@@ -172,7 +173,12 @@ double voxel_energy(const Model& model, const State& state, std::uint32_t row_in
   }
   const double chi = static_cast<double>(head.hourglass_weight);
   const double volume = static_cast<double>(model.slot_volume[slot]);
-  return k * h * h * (stretch + volume * (trace - 3) * (trace - 3)) + 0.5 * k * chi * hourglass;
+  const double stiffer = stiffens(model)
+                             ? stiffening_energy(static_cast<double>(model.slot_stiffening[slot]),
+                                                 stretch - (trace - 3) * (trace - 3) / 3)
+                             : 0.0;
+  return k * h * h * (stretch + stiffer + volume * (trace - 3) * (trace - 3)) +
+         0.5 * k * chi * hourglass;
 }
 
 Vec3 momentum_per_mass(const State& state, std::uint32_t particle) {

@@ -28,6 +28,8 @@ blob blob_physical, physical.bin
 blob blob_paper, paper.bin
 blob blob_elastic, elastic.bin
 blob blob_added_mass, added_mass.bin
+blob blob_stiffening_organ, stiffening_organ.bin
+blob blob_stiffening, stiffening.bin
 #if defined(__linux__)
 .section .note.GNU-stack, "", %progbits
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes what the replay matrix plays: a small organ, and for each setup of the real-time tests an
-// insertion recorded from their scripted hand at four times its speed.
+// Writes what the replay matrix plays: two small organs, and for each setup of the real-time tests
+// an insertion recorded from their scripted hand at four times its speed.
 //
 // usage: stylet_case_writer FOLDER
 #include <cstdio>
@@ -24,11 +24,16 @@ void put(std::ofstream& file, const T& value) {
   file.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-void write_case(const std::string& path, const Organ& organ, Setup setup) {
+void write_organ(const std::string& path, const OpenOrgan& opened) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(opened.bytes.data()),
+             static_cast<std::streamsize>(opened.bytes.size()));
+}
+
+void write_case(const std::string& path, const Organ& organ, const Config& config,
+                const std::vector<ObstacleConfig>& obstacles) {
   std::ofstream file(path, std::ios::binary);
-  const Config config = config_of(setup);
   const Script script = block_script(organ, config);
-  const std::vector<ObstacleConfig> obstacles = obstacles_of(organ, setup);
   put(file, CaseHead{sizeof(Config), sizeof(ObstacleConfig), sizeof(Input),
                      static_cast<std::uint32_t>(obstacles.size()), kTicks});
   put(file, config);
@@ -50,11 +55,13 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::string folder = argv[1];
   const auto opened = block_organ(6, 6, 8);
-  std::ofstream(folder + "/organ.bin", std::ios::binary)
-      .write(reinterpret_cast<const char*>(opened->bytes.data()),
-             static_cast<std::streamsize>(opened->bytes.size()));
+  const auto stiffening = block_organ(6, 6, 8, kStiffening);
+  write_organ(folder + "/organ.bin", *opened);
+  write_organ(folder + "/stiffening_organ.bin", *stiffening);
   for (const Setup setup : kSetups) {
-    write_case(folder + "/" + setup_name(setup) + ".bin", opened->organ, setup);
+    write_case(folder + "/" + setup_name(setup) + ".bin", opened->organ, config_of(setup),
+               obstacles_of(opened->organ, setup));
   }
+  write_case(folder + "/stiffening.bin", stiffening->organ, stiffening_config(), {});
   return 0;
 }

@@ -16,6 +16,8 @@ extern const std::byte blob_physical[], blob_physical_end[];
 extern const std::byte blob_paper[], blob_paper_end[];
 extern const std::byte blob_elastic[], blob_elastic_end[];
 extern const std::byte blob_added_mass[], blob_added_mass_end[];
+extern const std::byte blob_stiffening_organ[], blob_stiffening_organ_end[];
+extern const std::byte blob_stiffening[], blob_stiffening_end[];
 }
 
 namespace stylet::test {
@@ -29,12 +31,15 @@ alignas(8) std::byte saved[sizeof state + 64];
 
 struct Blob {
   const char* name;
-  const std::byte *begin, *end;
+  const std::byte *begin, *end, *organ, *organ_end;
 };
-constexpr Blob kCases[] = {{"physical", blob_physical, blob_physical_end},
-                           {"paper", blob_paper, blob_paper_end},
-                           {"elastic", blob_elastic, blob_elastic_end},
-                           {"added_mass", blob_added_mass, blob_added_mass_end}};
+constexpr Blob kCases[] = {
+    {"physical", blob_physical, blob_physical_end, blob_organ, blob_organ_end},
+    {"paper", blob_paper, blob_paper_end, blob_organ, blob_organ_end},
+    {"elastic", blob_elastic, blob_elastic_end, blob_organ, blob_organ_end},
+    {"added_mass", blob_added_mass, blob_added_mass_end, blob_organ, blob_organ_end},
+    {"stiffening", blob_stiffening, blob_stiffening_end, blob_stiffening_organ,
+     blob_stiffening_organ_end}};
 
 std::span<const std::byte> bytes_of(const std::byte* begin, const std::byte* end) {
   return {begin, static_cast<std::size_t>(end - begin)};
@@ -96,7 +101,8 @@ const char* open(const char* name) {
   for (const Blob& blob : kCases) chosen = same(blob.name, name) ? &blob : chosen;
   if (chosen == nullptr) return "no such case";
   if (!open_case(bytes_of(chosen->begin, chosen->end), r.recorded)) return "case of another layout";
-  if (organ_open(bytes_of(blob_organ, blob_organ_end), r.organ) != Status::kOk) return "bad organ";
+  const std::span<const std::byte> organ = bytes_of(chosen->organ, chosen->organ_end);
+  if (organ_open(organ, r.organ) != Status::kOk) return "bad organ";
   if (create(r.organ, *r.recorded.config, {model, state, scratch}, r.kernel) != Status::kOk) {
     return "the kernel was refused";
   }

@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "state/layout.h"
 #include "session.h"
 #include "sparse_organ.h"
+#include "state/layout.h"
 
 namespace {
 

@@ -41,7 +41,7 @@ NOT_RUN = {
     r"tests/golden/golden\.py$": "runs all scenes; so do e2e.scene.*",
     r"tests/fuzz/fuzz\.py .*": "builds and runs for minutes; fuzz.short does it",
     r".*tests/e2e/limit_cycles\.py": "runs all scenes twice; e2e.limit_cycles.all does it",
-    r"tests/fidelity/calculix/solve\.py": "needs CalculiX and twenty minutes",
+    r"tests/fidelity/calculix/(solve|stiffening)\.py": "needs CalculiX and twenty minutes",
     r".*stylet-simulator --ticks \d+ *": "takes hours; tier night",
     r".*--scheduler-file scheduler\.json.*": "needs a cluster; hosts.python.campaign.UnderSlurm",
     r".*examples/calibrate\.py .*": "takes a minute; hosts.python.calibrate.Example does it",

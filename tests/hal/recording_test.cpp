@@ -143,6 +143,7 @@ TEST_F(RecordingTest, NeedlesObstaclesAndBreathingComeBack) {
   info.config.needle[1] = with_bytes<NeedleConfig>(2);
   info.course[1] = with_bytes<Course>(3);
   info.config.breathing = with_bytes<BreathingConfig>(4);
+  info.config.gravity_m_per_s2 = with_bytes<Vec3>(5);
   info.obstacles = {with_bytes<ObstacleConfig>(5), with_bytes<ObstacleConfig>(6)};
   auto records = any_records(9000);
   for (std::size_t i = 0; i < records.size(); ++i) records[i].needle = i % 2;
@@ -162,6 +163,7 @@ TEST_F(RecordingTest, NeedlesObstaclesAndBreathingComeBack) {
     EXPECT_TRUE(equal(back.course[i], info.course[i])) << i;
   }
   EXPECT_TRUE(equal(back.config.breathing, info.config.breathing));
+  EXPECT_TRUE(equal(back.config.gravity_m_per_s2, info.config.gravity_m_per_s2));
   ASSERT_EQ(back.obstacles.size(), 2U);
   EXPECT_TRUE(equal(back.obstacles[1], info.obstacles[1]));
   ASSERT_EQ(reader.ticks(), 4500U);

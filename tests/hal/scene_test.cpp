@@ -234,6 +234,12 @@ TEST(Scene, MistakesOfObstaclesAndBreathing) {
       {"[guard]", "[breathing]\nperiod_s = 4\n[guard]", "[breathing]", "amplitude_mm: missing"},
       {"[guard]", "[breathing]\namplitude_mm = [80, 80, 0]\n[guard]", "amplitude_mm",
        "expected a way of at most 100 mm"},
+      {"[guard]", "[gravity]\nat_rest_m_per_s2 = [0, 0, -9.81]\n[guard]", "[gravity]",
+       "now_m_per_s2: missing: expected a list of 3 numbers"},
+      {"[guard]", "[gravity]\nnow_m_per_s2 = [0, 0, -101]\n[guard]", "now_m_per_s2",
+       "from -100 to 100"},
+      {"[guard]", "[gravity]\nnow_m_per_s2 = [0, 0, -60]\nat_rest_m_per_s2 = [0, 0, 60]\n[guard]",
+       "now_m_per_s2", "expected at most 100 from at_rest_m_per_s2"},
       {"[guard]", "[[obstacles]]\nshape = \"cone\"\n[guard]", "cone", "\"box\" or \"sphere\""},
       {"[guard]", "[[obstacles]]\nshape = \"box\"\n[guard]", "[[obst",
        "size_mm: missing: expected"},
@@ -450,6 +456,26 @@ TEST(Scene, NeedlesOfOnesOwn) {
   EXPECT_EQ(needle("rods = 64").tip_half_angle_rad, NeedleConfig{}.tip_half_angle_rad);
   EXPECT_EQ(needle("half_angle_deg = 5").tip_half_angle_rad, kMinTipHalfAngleRad);
   EXPECT_EQ(needle("half_angle_deg = 80").tip_half_angle_rad, kMaxTipHalfAngleRad);
+}
+
+// What acts is what has changed since the organ's shape was taken.
+TEST(Scene, Gravity) {
+  const auto gravity = [](const char* table) {
+    const std::string text = changed("[guard]", std::string(table) + "\n[guard]");
+    return parse_scene(text, "s.toml").config.gravity_m_per_s2;
+  };
+  const auto nothing = [](Vec3 g) { return g.x == 0 && g.y == 0 && g.z == 0; };
+  EXPECT_TRUE(nothing(gravity("")));
+  const Vec3 weightless = gravity("[gravity]\nnow_m_per_s2 = [0, 9, -3]");
+  EXPECT_EQ(weightless.y, 9);
+  EXPECT_EQ(weightless.z, -3);
+  const Vec3 turned =
+      gravity("[gravity]\nnow_m_per_s2 = [0, 9, -3]\nat_rest_m_per_s2 = [1, 0, -9]");
+  EXPECT_EQ(turned.x, -1);
+  EXPECT_EQ(turned.y, 9);
+  EXPECT_EQ(turned.z, 6);
+  EXPECT_TRUE(
+      nothing(gravity("[gravity]\nnow_m_per_s2 = [0, 9, 0]\nat_rest_m_per_s2 = [0, 9, 0]")));
 }
 
 TEST(Scene, ObstaclesAndBreathing) {

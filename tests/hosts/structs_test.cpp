@@ -212,7 +212,8 @@ TEST_F(Structs, FilledForAnyCaller) {
 TEST_F(Structs, ConfigurationTakenFromAnyCaller) {
   expect_any_size_is_taken<stylet_config>(
       {{offsetof(stylet_config, breathing_amplitude_m),
-        sizeof stylet_config::breathing_amplitude_m}},
+        sizeof stylet_config::breathing_amplitude_m},
+       {offsetof(stylet_config, gravity_m_per_s2), sizeof stylet_config::gravity_m_per_s2}},
       stylet_config_init, [this](const stylet_config* config, std::uint64_t& hash_out) {
         stylet_simulation* made = nullptr;
         const stylet_status status =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the state's hash after every hundred ticks of the script, in both modes, for the lattice
+// Prints the state's hash after every hundred ticks of the script, for each setup, for the lattice
 // step of each instruction set that this processor has; with helper threads, only of the widest.
 // determinism.py compares the hashes of different compilers.
 #include <cinttypes>
@@ -13,17 +13,16 @@
 namespace stylet::test {
 namespace {
 
-void print_hashes(const Organ& organ, Setup setup, const Variant& variant, std::uint64_t ticks,
-                  std::uint32_t helpers) {
-  const Script script = block_script(organ, config_of(setup));
-  Session session = make_session(organ, setup);
+void print_hashes(const Organ& organ, Session session, const Config& config, const char* name,
+                  const Variant& variant, std::uint64_t ticks, std::uint32_t helpers) {
+  const Script script = block_script(organ, config);
   session.kernel.step = variant.step;
   const Block memory = make_block(team_bytes(session.kernel, helpers));
   if (set_team(session.kernel, helpers, memory.span()) != Status::kOk) std::abort();
   const Helpers threads(session.kernel, helpers);
   for (std::uint64_t i = 0; i < ticks; i += 100) {
     run(session.kernel, script, i, 100);
-    std::printf("%s %s %" PRIu64 " %016" PRIx64 "\n", variant.name, setup_name(setup), i + 100,
+    std::printf("%s %s %" PRIu64 " %016" PRIx64 "\n", variant.name, name, i + 100,
                 hash(session.kernel));
   }
 }
@@ -38,12 +37,17 @@ int main(int argc, char** argv) {
   const auto helpers =
       argc > 2 ? static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10)) : 0;
   const auto opened = test::block_organ(10, 10, 10);
+  const auto stiffening = test::block_organ(10, 10, 10, test::kStiffening);
   std::vector<test::Variant> variants = test::variants_here();
   if (helpers > 0) variants = {variants.back()};
   for (const test::Variant& variant : variants) {
     for (const test::Setup setup : test::kSetups) {
-      test::print_hashes(opened->organ, setup, variant, ticks, helpers);
+      test::print_hashes(opened->organ, test::make_session(opened->organ, setup),
+                         test::config_of(setup), setup_name(setup), variant, ticks, helpers);
     }
+    const Config config = test::stiffening_config();
+    test::print_hashes(stiffening->organ, test::make_session(stiffening->organ, config), config,
+                       "stiffening", variant, ticks, helpers);
   }
   return 0;
 }

@@ -60,8 +60,9 @@ inline std::unique_ptr<OpenOrgan> open_organ(std::vector<std::byte> bytes) {
 }
 
 // A block of voxels of 5 mm that hangs on its low z face, with a stiffer layer of one voxel on top.
-inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny,
-                                              std::uint16_t nz) {
+// What is inside may stiffen with its strain.
+inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny, std::uint16_t nz,
+                                              float strain_stiffening = 0) {
   TinyOrgan tiny;
   tiny.nx = nx;
   tiny.ny = ny;
@@ -75,11 +76,20 @@ inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny
   TinyMaterial inside;
   inside.relaxing_fraction = 0.3F;
   inside.viscous_friction_n_s_per_m2 = 50;
+  inside.strain_stiffening = strain_stiffening;
   tiny.materials = {inside, capsule};
   tiny.material_at = [nz](std::uint16_t, std::uint16_t, std::uint16_t z) {
     return static_cast<std::uint8_t>(z + 1 == nz ? 1 : 0);
   };
   return open_organ(tiny_organ(tiny));
+}
+
+// The setup "stiffening", in an organ of its own: tissue stiffens and sinks under its weight.
+constexpr float kStiffening = 40;  // as fat's, PHYSICS 2.7: twofold in a shear of 0.2
+inline Config stiffening_config() {
+  Config config;
+  config.gravity_m_per_s2 = {2, -3, -7};
+  return config;
 }
 
 struct Session {

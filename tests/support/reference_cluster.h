@@ -69,6 +69,7 @@ struct ReferenceVoxel {
   double edge_m = 0, spring_n_per_m = 0;
   double hourglass_weight = 1;
   double volume_ratio = 0;  // lambda / (2 G)
+  double stiffening = 0;    // PHYSICS 2.7
   std::array<Vec, 8> corner;
   std::vector<FitPoint> held;  // constraint particles: rest from the voxel's centre, weight in N/m
 };
@@ -112,6 +113,19 @@ inline AffineFit affine_fit(const ReferenceVoxel& voxel) {
   return fit;
 }
 
+// How much of the strain changes the shape: by the principal stretches.
+inline double shape_of(const Mat& gradient) {
+  const Eigen::JacobiSVD<Mat> svd(gradient);
+  Vec strain = svd.singularValues() - Vec::Ones();
+  if (gradient.determinant() < 0) strain[2] = -svd.singularValues()[2] - 1;
+  return (strain - Vec::Constant(strain.mean())).squaredNorm();
+}
+
+// What strain stiffening adds to the energy, over G: b J^2 / (2 + b J / 10).
+inline double stiffening_of(double stiffening, double shape) {
+  return stiffening * shape * shape / (2 + stiffening * shape / 10);
+}
+
 inline double voxel_energy(const ReferenceVoxel& voxel) {
   const AffineFit affine = affine_fit(voxel);
   double hourglass = 0;
@@ -123,7 +137,9 @@ inline double voxel_energy(const ReferenceVoxel& voxel) {
   const double volume = (r.transpose() * affine.gradient).trace() - 3;
   const double k = voxel.spring_n_per_m;
   return 0.5 * fit_energy(points_of(voxel)) + 0.5 * k * (voxel.hourglass_weight - 1) * hourglass +
-         k * voxel.edge_m * voxel.edge_m * voxel.volume_ratio * volume * volume;
+         k * voxel.edge_m * voxel.edge_m *
+             (voxel.volume_ratio * volume * volume +
+              stiffening_of(voxel.stiffening, shape_of(affine.gradient)));
 }
 
 struct VoxelForces {

@@ -333,6 +333,7 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
           m.viscous_friction_n_s_per_m2 = high ? 1e6F : 0;
           m.puncture_velocity_exponent = high ? 0.5F : 0;
           m.membrane_n_per_m = high ? 1e5F : 0;
+          m.strain_stiffening = high ? 1e3F : 0;
           o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
           o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? kMaxOriginM : -kMaxOriginM;
           std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
@@ -371,6 +372,7 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
       material([](M& m) { m.viscous_friction_n_s_per_m2 = 1.001e6F; }),
       material([](M& m) { m.puncture_velocity_exponent = 0.501F; }),
       material([](M& m) { m.membrane_n_per_m = 1.01e5F; }),
+      material([](M& m) { m.strain_stiffening = 1001; }),
       [](Owner& o) { o.voxel_edge_m = 0.1001F; },
       [](Owner& o) { o.origin_z_m = 100.5F; },
       material([](M& m) { m.density_kg_per_m3 = 0.99F; }),
@@ -386,6 +388,7 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
       material([](M& m) { m.viscous_friction_n_s_per_m2 = -0.01F; }),
       material([](M& m) { m.puncture_velocity_exponent = -0.01F; }),
       material([](M& m) { m.membrane_n_per_m = -1; }),
+      material([](M& m) { m.strain_stiffening = -0.01F; }),
       [](Owner& o) { o.voxel_edge_m = 0.99e-4F; },
       [](Owner& o) { o.origin_y_m = -100.1F; },
   };

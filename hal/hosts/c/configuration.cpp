@@ -19,7 +19,8 @@ stylet_config to_struct(const Config& c) {
           c.hourglass_weight,
           c.paper_alpha,
           plain(c.breathing.amplitude_m),
-          c.breathing.period_s};
+          c.breathing.period_s,
+          plain(c.gravity_m_per_s2)};
 }
 
 stylet_needle to_struct(const NeedleConfig& n) {
@@ -70,6 +71,7 @@ void put_config(const stylet_config& c, Config& out) {
   out.hourglass_weight = c.hourglass_weight;
   out.paper_alpha = c.paper_alpha;
   out.breathing = {vec(c.breathing_amplitude_m), c.breathing_period_s};
+  out.gravity_m_per_s2 = vec(c.gravity_m_per_s2);
 }
 
 NeedleConfig needle(const stylet_needle& n) {

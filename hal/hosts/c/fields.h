@@ -40,12 +40,12 @@ constexpr auto fields(const stylet_organ_info& of) {
   return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
 constexpr auto fields(const stylet_material& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
 }
 constexpr auto fields(const stylet_config& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 constexpr auto fields(const stylet_needle& of) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k] = of;

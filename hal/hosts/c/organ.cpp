@@ -204,7 +204,8 @@ stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t inde
                                m.stribeck_velocity_m_per_s,
                                m.viscous_friction_n_s_per_m2,
                                m.puncture_velocity_exponent,
-                               m.membrane_n_per_m};
+                               m.membrane_n_per_m,
+                               m.strain_stiffening};
   return c::answer(out, material_out);
 }
 

@@ -23,9 +23,10 @@ struct Spoken {
   const char* number;
 };
 constexpr const char* kVertices = "obstacle.vertices_m";
-constexpr std::array<Spoken, 5> kSpoken{{
+constexpr std::array<Spoken, 6> kSpoken{{
     {"breathing.period_s", "breathing_period_s", ""},
     {"breathing.amplitude_m", "breathing_amplitude_m", "length "},
+    {"gravity_m_per_s2", "gravity_m_per_s2", "length "},
     {"obstacle.vertices_m", kVertices, "length "},
     {"obstacle.pose.position_m", "obstacle.pose.position_m", "length "},
     {"obstacle.pose.rotation", "obstacle.pose.rotation", "length squared "},

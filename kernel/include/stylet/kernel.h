@@ -77,6 +77,10 @@ struct Config {
   std::uint32_t needle_count = 1;        // needles in this tissue, each with its own hand
   NeedleConfig needle[kMaxNeedles];
   BreathingConfig breathing;
+  // Gravity that the shape at rest does not have in it: none if an organ lies as it lay when its
+  // shape was taken, the difference of the two if it was turned since, all of it if the shape was
+  // weightless. It comes in over the first kGravityFadeS, then the organ hangs where it belongs.
+  Vec3 gravity_m_per_s2 = {0, 0, 0};
 };
 
 // A body that no needle enters: the convex hull of the vertices, grown by `rounding_m` on all

@@ -31,6 +31,7 @@ constexpr float kMaxPoissonRatio = 0.49F;
 constexpr float kMinYoungsModulusPa = 1.0F;
 constexpr float kMaxYoungsModulusPa = 1e9F;
 constexpr float kMaxMembraneNPerM = 1e5F;  // 1 mm of 100 MPa
+constexpr float kMaxStrainStiffening = 1e3F;  // a shear of 4.5 % doubles the modulus
 
 // ---- configuration: checked by sizes and create -------------------------------------------------
 constexpr std::uint32_t kMaxSubsteps = 32;
@@ -50,6 +51,7 @@ constexpr float kMaxBentAngleRad = 1.0F;
 constexpr float kMinTipHalfAngleRad = 0.0872664626F;
 constexpr float kMaxTipHalfAngleRad = 1.39626340F;
 constexpr float kMaxBreathM = 0.1F;
+constexpr float kMaxGravityMPerS2 = 100.0F;  // tenfold
 constexpr std::uint32_t kMaxNeedles = 4;
 constexpr std::uint32_t kMaxObstacles = 16;
 constexpr std::uint32_t kMaxHullVertices = 64;
@@ -94,6 +96,11 @@ constexpr std::uint32_t kRodFaceLooks = 2;
 // Forces travel one voxel in a substep, so the step cannot follow more: tissue that a needle tore
 // along gained energy until its numbers overflowed.
 constexpr float kMaxEdgesPerSubstep = 1.0F;
+// By how many times its modulus at rest strain-stiffening tissue may get stiffer. Approached, not
+// reached: then the tissue is linear again. With 10 the stiffest motion of a voxel's shape has 13.5
+// times the stiffness at rest (laws/stiffening.h); that of its volume has 14.5 at a Poisson's ratio
+// of 0.45, so that from there on no step is dearer.
+constexpr float kMaxStiffer = 10.0F;
 // Size of one load on the needle. Beyond: forces and places are clamped by component, a stiffness
 // is scaled down by its trace; an obstacle stiffer than this is refused.
 constexpr double kMaxRodForceN = 1e3;
@@ -123,6 +130,8 @@ constexpr std::uint32_t kMaxGjkSteps = 32;
 constexpr std::uint32_t kMaxEscapeSupports = 64;
 // Turn of an obstacle contact's normal in one tick. Reached: the rest follows in the next ticks.
 constexpr float kMaxNormalTurnRad = 0.1F;
+// Time in which weight comes in after reset, so that an organ sinks and does not swing.
+constexpr float kGravityFadeS = 1.0F;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
 constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;

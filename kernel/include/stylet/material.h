@@ -39,7 +39,9 @@ namespace stylet {
   F(puncture_velocity_exponent, 0, 0.5F, "0 to 0.5", "puncture_velocity_exponent", 1, false)       \
   /* modulus times thickness of a thin skin, which a surface voxel carries besides its own */      \
   /* stiffness: it adds membrane_n_per_m / (voxel edge) to the voxel's modulus */                  \
-  F(membrane_n_per_m, 0, kMaxMembraneNPerM, "0 to 1e5", "membrane_n_per_mm", 1e3, false)
+  F(membrane_n_per_m, 0, kMaxMembraneNPerM, "0 to 1e5", "membrane_n_per_mm", 1e3, false)           \
+  /* how fast the shear modulus grows with the square of the strain (PHYSICS 2.7) */               \
+  F(strain_stiffening, 0, kMaxStrainStiffening, "0 to 1000", "strain_stiffening", 1, false)
 
 #define STYLET_MATERIAL_FIELD(field, ...) float field;
 struct Material {

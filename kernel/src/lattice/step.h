@@ -22,6 +22,7 @@
 #include "lattice/matches.h"
 #include "lattice/team.h"
 #include "lattice/voxel_stages.h"
+#include "state/attachment.h"
 
 namespace stylet {
 namespace {
@@ -102,8 +103,9 @@ void sweep_plane(const Model& model, State& state, Scratch& scratch, const Plane
   const auto axis = static_cast<std::ptrdiff_t>(head.counts.particles_per_plane);
   const Places places = {state.ex, state.ey - state.ex};
   const Sums sums = sums_of(model, scratch);
-  const Slots slots = {sums,          model.slot_k + at, model.slot_volume + at, state.qw + at,
-                       state.qx + at, state.qy + at,     state.qz + at};
+  const Slots slots = {
+      sums,          model.slot_k + at, model.slot_volume + at, model.slot_stiffening + at,
+      state.qw + at, state.qx + at,     state.qy + at,          state.qz + at};
   clear_first(sums);
   const Row* const first = model.row + plane.row_begin;
   const Row* const end = model.row + (&plane)[1].row_begin;
@@ -185,12 +187,26 @@ void push_particles(const Model& model, State& state, const Plane& plane, float*
   });
 }
 
+// Adds the weight of the particles of a plane. Tied nodes each get all of their particle's.
+void weigh_particles(const Model& model, const State& state, const Plane& plane, float* force) {
+  const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
+  const Vec3 g = gravity_now(model, state);
+  const float* kg = model.particle_kg + plane.particle_begin;
+  for_each_group(plane, [&](std::ptrdiff_t i) {
+    const Wide mass = load(kg + i);
+    store(force + i, load(force + i) + mass * g.x);
+    store(force + i + axis, load(force + i + axis) + mass * g.y);
+    store(force + i + 2 * axis, load(force + i + 2 * axis) + mass * g.z);
+  });
+}
+
 // Applies all forces on the particles of a plane.
 void finish_particles(const Model& model, State& state, Scratch& scratch, const Plane& plane,
                       float* force, Motion& motion) {
   add_changes(model, scratch, static_cast<std::uint32_t>(&plane - model.plane), force);
   join_tied(model.tie + plane.tie_begin, model.tie + plane.tie_end, force, plane.particle_begin,
             model.head->counts.particles_per_plane);
+  if (has_weight(model)) weigh_particles(model, state, plane, force);
   if (has_true_mass(model)) {
     push_particles(model, state, plane, force, motion);
   } else {

@@ -6,6 +6,7 @@
 #include "base/lanes.h"
 #include "lattice/lattice.h"
 #include "lattice/rotation.h"
+#include "laws/stiffening.h"
 
 namespace stylet {
 namespace {
@@ -89,7 +90,7 @@ struct alignas(64) Seen {
 // What stage 2 reads and writes, from a given slot of a plane on.
 struct Slots {
   Sums sums;
-  const float *stiffness, *volume;
+  const float *stiffness, *volume, *stiffening;  // the last only where tissue stiffens
   float *qw, *qx, *qy, *qz;
 };
 
@@ -197,14 +198,51 @@ inline void send_component(float* at, std::ptrdiff_t stride, Wide weight, Wide s
   store(at + 3 * stride, along - across);
 }
 
+// Factors of a voxel's H: s times that of R - I, of I and, with the sign changed, of the gradient.
+struct Factors {
+  Wide turn, one, gradient;
+};
+
+// Linear tissue adds nothing.
+struct Linear {
+  explicit Linear(const Slots&) {}
+  template <typename Gradient>
+  void add(std::uint32_t, const Wide (&)[3][3], Gradient, Wide, Wide, float, Factors&) const {}
+};
+
+// Strain stiffening adds g ((1 + t) R - F) to H, with 3 t = tr(R^T F) - 3 and g of stiffening.h.
+// `turn` is R - I; `volume` is -3 t.
+struct Stiffening {
+  explicit Stiffening(const Slots& slots) : stiffening(slots.stiffening) {}
+  template <typename Gradient>
+  void add(std::uint32_t i, const Wide (&turn)[3][3], Gradient d, Wide volume, Wide s, float scale,
+           Factors& factors) const {
+    Wide square[3];  // of the rows of F - R
+    for (int c = 0; c < 3; ++c) {
+      const Wide x = scale * d(c, 0) - turn[c][0], y = scale * d(c, 1) - turn[c][1];
+      const Wide z = scale * d(c, 2) - turn[c][2];
+      square[c] = (x * x + y * y) + z * z;
+    }
+    const Wide third = volume * (-1.0F / 3);
+    const Wide shape = ((square[0] + square[1]) + square[2]) + third * volume;
+    const Wide g = s * stiffer(load(stiffening + i), shape);
+    factors.turn = factors.turn + (g + g * third);
+    factors.one = factors.one + g * third;
+    factors.gradient = factors.gradient + g * scale;
+  }
+  const float* stiffening;
+};
+
 // In place: sum and gradient of the displacement become what is sent to the nodes between a row's
 // slots. The corner at (+-1, +-1, +-1) gets T +- X +- Y +- Z, with T = k chi t and X, Y, Z the
 // columns of k (h / 2) H. Stored is the sum for the two voxels of the row that share a node: first
 // at the row's high side along y, for the particle planes below and above, then at its low side.
+template <typename Law>
 STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float chi,
                                   float half_edge, float scale, Carry& carry_io) {
   // Copied: after every store of a float they would be read again.
   const Slots own = slots;
+  const Law law(slots);
   Carry carry = carry_io;
   const std::ptrdiff_t stride = own.sums.stride;
   float* at0 = own.sums.at;
@@ -222,6 +260,8 @@ STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float
     const Wide r10 = xy + wz, n11 = xx + zz, r12 = yz - wx;
     const Wide r20 = xz - wy, r21 = yz + wx, n22 = xx + yy;
     const auto d = [&](const float* at, int b) { return load(at + (b + 1) * stride); };
+    const float* const at[3] = {at0, at1, at2};
+    const auto gradient = [&](int c, int b) { return d(at[c], b); };
     const Wide trace = ((n00 + n11) + n22) - scale * ((d(at0, 0) + d(at1, 1)) + d(at2, 2));
     const Wide inner =
         scale * (((n00 * d(at0, 0) - r01 * d(at0, 1)) - (r02 * d(at0, 2) + r10 * d(at1, 0))) +
@@ -230,11 +270,15 @@ STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float
     const Wide k = load(own.stiffness + i);
     const Wide s = k * half_edge;
     const Wide sc = s * (load(own.volume + i) * (trace + inner));  // -s p
-    const Wide sa = s + sc, sb = s * ((1 - chi) * scale);
+    const Wide turn[3][3] = {{-n00, r01, r02}, {r10, -n11, r12}, {r20, r21, -n22}};
+    Factors factors = {s + sc, sc, s * ((1 - chi) * scale)};
+    law.add(i, turn, gradient, trace + inner, s, scale, factors);
+    const Wide sa = factors.turn, sb = factors.gradient;
     const Wide weight = k * (chi * 0.125F);
-    send_component(at0, stride, weight, sb, sc - sa * n00, sa * r01, sa * r02, carry.last[0]);
-    send_component(at1, stride, weight, sb, sa * r10, sc - sa * n11, sa * r12, carry.last[1]);
-    send_component(at2, stride, weight, sb, sa * r20, sa * r21, sc - sa * n22, carry.last[2]);
+    const Wide one = factors.one;
+    send_component(at0, stride, weight, sb, one - sa * n00, sa * r01, sa * r02, carry.last[0]);
+    send_component(at1, stride, weight, sb, sa * r10, one - sa * n11, sa * r12, carry.last[1]);
+    send_component(at2, stride, weight, sb, sa * r20, sa * r21, one - sa * n22, carry.last[2]);
   }
   carry_io = carry;
 }
@@ -246,6 +290,7 @@ __attribute__((always_inline)) inline void match_slots(const ModelHead& head, co
   const Slots slots = {{plane.sums.at + (from - front), plane.sums.stride},
                        plane.stiffness + from,
                        plane.volume + from,
+                       plane.stiffening + from,
                        plane.qw + from,
                        plane.qx + from,
                        plane.qy + from,
@@ -255,8 +300,9 @@ __attribute__((always_inline)) inline void match_slots(const ModelHead& head, co
   shift_slots(lanes, 4 * head.edge_m, seen);
   turn_slots(lanes, slots, seen);
   unit_slots(lanes, seen, slots);
-  send_slots(lanes, slots, head.hourglass_weight, head.edge_m * 0.5F,
-             head.inverse_edge_per_m * 0.25F, carry);
+  const auto send = head.counts.stiffening_slots == 0 ? send_slots<Linear> : send_slots<Stiffening>;
+  send(lanes, slots, head.hourglass_weight, head.edge_m * 0.5F, head.inverse_edge_per_m * 0.25F,
+       carry);
 }
 
 }  // namespace

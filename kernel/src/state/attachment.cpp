@@ -15,4 +15,12 @@ Vec3 attachment_shift(const Model& model, const State& state) {
   return ((s * s) * (s * s)) * b.amplitude_m;
 }
 
+Vec3 gravity_now(const Model& model, const State& state) {
+  const Config& config = model.head->config;
+  const double elapsed_s =
+      static_cast<double>(state.head->tick) * static_cast<double>(config.period_s);
+  const float part = min_of(static_cast<float>(elapsed_s) / kGravityFadeS, 1);
+  return (part * part * (3 - 2 * part)) * config.gravity_m_per_s2;
+}
+
 }  // namespace stylet

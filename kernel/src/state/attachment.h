@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame of the attachments: the world, shifted as the patient breathes (BreathingConfig).
-// PHYSICS 4.5.
+// What moves all tissue alike. The frame of the attachments: the world, shifted as the patient
+// breathes (BreathingConfig). Gravity that the shape at rest does not have in it.
+// PHYSICS 4.5, 4.6.
 #pragma once
 
 #include "state/layout.h"
@@ -9,5 +10,8 @@ namespace stylet {
 
 // Shift of the attachments at the state's tick.
 Vec3 attachment_shift(const Model& model, const State& state);
+
+// In m/s^2, at the state's tick: all of it once kGravityFadeS have passed.
+Vec3 gravity_now(const Model& model, const State& state);
 
 }  // namespace stylet

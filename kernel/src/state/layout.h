@@ -36,6 +36,7 @@ struct Counts {
   std::uint32_t particles_per_plane;
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;
+  std::uint32_t stiffening_slots;  // zero if no tissue stiffens
   std::uint32_t needles;
   // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
   // of tiles, and of a filter's scratch.
@@ -110,6 +111,7 @@ struct MaterialModel {
   Film film;                      // the skin on the tissue
   // Of a voxel, with the skin spread over it: shear modulus, and lambda over twice that modulus.
   float lattice_shear_pa, lattice_volume_ratio;
+  float stiffening;
   float puncture_n, cutting_n, recut_fraction;
   float puncture_exponent;
   Friction friction;
@@ -308,6 +310,8 @@ struct ScratchHead {
   F(slot_k, float, c.slots)                                                              \
   /* slot_volume: 1: lambda over 2 G of a voxel */                                       \
   F(slot_volume, float, c.slots)                                                         \
+  /* slot_stiffening: 1: strain stiffening; only if some tissue of the organ has it */   \
+  F(slot_stiffening, float, c.stiffening_slots)                                          \
   /* slot_fill: 1: part of the voxel that is tissue */                                   \
   F(slot_fill, float, c.slots)                                                           \
   /* slot_material: index of its material */                                             \
@@ -316,7 +320,7 @@ struct ScratchHead {
   F(slot_mixed, std::uint32_t, c.slots)                                                  \
   /* step_per_mass: s/kg: time step over stepped mass; 0 where it is held */             \
   F(step_per_mass, float, c.particles)                                                   \
-  /* particle_kg: kg: stepped mass */                                                    \
+  /* particle_kg: kg: its tissue's mass, without what the step adds */                   \
   F(particle_kg, float, c.particles)                                                     \
   /* hourglass_n_per_m: resistance of a particle to hourglass motion, over its voxels */ \
   F(hourglass_n_per_m, float, c.particles)                                               \
@@ -476,6 +480,13 @@ struct View {
   State state;
   Scratch scratch;
 };
+inline bool stiffens(const Model& model) {
+  return model.head->counts.stiffening_slots != 0;
+}
+inline bool has_weight(const Model& model) {
+  const Vec3 g = model.head->config.gravity_m_per_s2;
+  return g.x != 0 || g.y != 0 || g.z != 0;
+}
 inline bool has_true_mass(const Model& model) {
   return model.head->counts.filtered_particles != 0;
 }

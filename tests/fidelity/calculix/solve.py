@@ -156,11 +156,11 @@ def write_deck(path, body, case, poisson, edge_m):
     return grid, loads
 
 
-def read_tables(path):
+def read_tables(path, kinds="displacements|total force"):
     """CalculiX's .dat file: for each heading, rows of numbers."""
     tables, rows = {}, None
     for line in path.read_text(encoding="ascii").splitlines():
-        heading = re.match(r" *(displacements|total force).* for set (\w+)", line)
+        heading = re.match(rf" *({kinds}).* for set (\w+)", line)
         if heading:
             rows = tables.setdefault(heading.groups(), [])
         elif line.strip():

@@ -245,6 +245,11 @@ TEST(CSimulation, AValueOutsideIsToldWithFieldAndLimits) {
          c.breathing_amplitude_m = {0, 0.3F, 0.4F};
        },
        0.5, 0, 0.1},
+      {"gravity_m_per_s2",
+       [](stylet_config& c, stylet_needle&) {
+         c.gravity_m_per_s2 = {0, 300, -400};
+       },
+       500, 0, 100},
       {"needle.length_m", [](stylet_config&, stylet_needle& n) { n.length_m = 0.7F; }, 0.7, 1e-3,
        0.5},
       {"needle.rods", [](stylet_config&, stylet_needle& n) { n.rods = 129; }, 129, 1, 128},

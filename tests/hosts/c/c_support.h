@@ -62,6 +62,10 @@ inline DrawnConfig drawn_config(Draw& draw) {
   out.cpp.breathing = {breath, draw.between(2, 6)};
   out.c.breathing_amplitude_m = {breath.x, breath.y, breath.z};
   out.c.breathing_period_s = out.cpp.breathing.period_s;
+  const Vec3 weight = {draw.between(-4, 4), draw.between(-4, 4), draw.between(-4, 4)};
+  if (draw.chance(0.5)) out.cpp.gravity_m_per_s2 = weight;
+  const Vec3 gravity = out.cpp.gravity_m_per_s2;
+  out.c.gravity_m_per_s2 = {gravity.x, gravity.y, gravity.z};
   out.cpp.needle_count = 1 + draw.below(3);
   for (std::uint32_t i = 0; i < out.cpp.needle_count; ++i) {
     NeedleConfig& needle = out.cpp.needle[i];

@@ -93,7 +93,8 @@ class Refused(unittest.TestCase):
                 ("vertices_m", stylet.Obstacle.hull, None),
                 ("direction", lambda way: stylet.NeedleEnv(organ(), [GOAL], direction=way), None),
                 ("breathing_amplitude_m", lambda way: stylet.Config(breathing_amplitude_m=way),
-                 None)):
+                 None),
+                ("gravity_m_per_s2", lambda way: stylet.Config(gravity_m_per_s2=way), None)):
             for wrong, kind, words in (((0, 1), ValueError, r"of shape \(2,\)"),
                                        (1.0, ValueError, r"of shape \(\)"),
                                        ((0, 1, None), TypeError, r"\[2\] is None"),

@@ -43,7 +43,7 @@ py::object material_of(const stylet_organ* organ, std::uint32_t index) {
       "stribeck_velocity_m_per_s"_a = m.stribeck_velocity_m_per_s,
       "viscous_friction_n_s_per_m2"_a = m.viscous_friction_n_s_per_m2,
       "puncture_velocity_exponent"_a = m.puncture_velocity_exponent,
-      "membrane_n_per_m"_a = m.membrane_n_per_m));
+      "membrane_n_per_m"_a = m.membrane_n_per_m, "strain_stiffening"_a = m.strain_stiffening));
 }
 
 Organ looked_at(stylet_organ* given) {

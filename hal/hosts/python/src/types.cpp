@@ -81,7 +81,8 @@ py::dtype config_dtype() {
        STYLET_FIELD(stylet_config, hourglass_weight, kFloat),
        STYLET_FIELD(stylet_config, paper_alpha, kFloat),
        STYLET_FIELD(stylet_config, breathing_amplitude_m, kVec3),
-       STYLET_FIELD(stylet_config, breathing_period_s, kFloat)},
+       STYLET_FIELD(stylet_config, breathing_period_s, kFloat),
+       STYLET_FIELD(stylet_config, gravity_m_per_s2, kVec3)},
       sizeof(stylet_config));
 }
 

@@ -32,6 +32,7 @@ public struct Config {
   public float tissue_damping_s, surround_drag_per_s, hourglass_weight, paper_alpha;
   public Vec3 breathing_amplitude_m;
   public float breathing_period_s;
+  public Vec3 gravity_m_per_s2;
 }
 
 [StructLayout(LayoutKind.Sequential)]

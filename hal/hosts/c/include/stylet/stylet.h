@@ -178,6 +178,7 @@ typedef struct {
   float stribeck_velocity_m_per_s, viscous_friction_n_s_per_m2;
   float puncture_velocity_exponent;
   float membrane_n_per_m;
+  float strain_stiffening;
 } stylet_material;
 STYLET_API stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                                    stylet_material* material_out);
@@ -217,6 +218,7 @@ typedef struct {
   float paper_alpha;                /* mode 1: stiffness factor of goals, 0 to 1 */
   stylet_vec3 breathing_amplitude_m; /* of all attachments, A sin^4(pi t / T) */
   float breathing_period_s;
+  stylet_vec3 gravity_m_per_s2; /* that the shape at rest does not have in it; comes in over 1 s */
 } stylet_config;
 STYLET_API stylet_status stylet_config_init(stylet_config* config, size_t struct_bytes);
 

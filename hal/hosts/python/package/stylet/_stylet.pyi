@@ -57,6 +57,7 @@ class Material:
     viscous_friction_n_s_per_m2: float
     puncture_velocity_exponent: float
     membrane_n_per_m: float
+    strain_stiffening: float
 
 class Pool:
     used: int

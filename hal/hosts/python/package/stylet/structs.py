@@ -97,6 +97,7 @@ class Config(Struct):
     paper_alpha: float
     breathing_amplitude_m: np.ndarray
     breathing_period_s: float
+    gravity_m_per_s2: np.ndarray  # that the shape at rest does not have in it
 
 
 class Needle(Struct):
