@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plays random sessions until there are enough ticks, or the one session of a seed. usage:
 // stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--added-mass]
-// [--procedures]
+// [--procedures] [--stiffening]
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -23,6 +23,7 @@ struct Options {
   bool each = false;
   bool added_mass = false;
   bool procedures = false;
+  bool stiffening = false;
 };
 
 std::uint64_t number(const char* text) {
@@ -45,6 +46,8 @@ Options parse(int argc, char** argv) {
       options.added_mass = true;
     } else if (name == "--procedures") {
       options.procedures = true;
+    } else if (name == "--stiffening") {
+      options.stiffening = true;
     } else if (i + 1 < argc && name == "--seed") {
       options.seed = number(argv[++i]);
     } else if (i + 1 < argc && name == "--sessions") {
@@ -52,8 +55,10 @@ Options parse(int argc, char** argv) {
     } else if (i + 1 < argc && name == "--ticks") {
       options.ticks = number(argv[++i]);
     } else {
-      std::fprintf(stderr, "%s: expected --seed N, --sessions N, --ticks N, --each, "
-                   "--added-mass or --procedures\n", argv[i]);
+      std::fprintf(stderr,
+                   "%s: expected --seed N, --sessions N, --ticks N, --each, "
+                   "--added-mass, --procedures or --stiffening\n",
+                   argv[i]);
       std::exit(2);
     }
   }
@@ -76,9 +81,9 @@ int report_failure(const Verdict& v, const Options& options, std::uint64_t seed,
                    const char* program) {
   std::printf("seed %llu, tick %llu: %s (observer %.3g J)\n", static_cast<unsigned long long>(seed),
               static_cast<unsigned long long>(v.tick), v.broken, v.observer_min_j);
-  std::printf("again: %s --seed %llu%s%s\nat commit: ", program,
+  std::printf("again: %s --seed %llu%s%s%s\nat commit: ", program,
               static_cast<unsigned long long>(seed), options.added_mass ? " --added-mass" : "",
-              options.procedures ? " --procedures" : "");
+              options.procedures ? " --procedures" : "", options.stiffening ? " --stiffening" : "");
   std::fflush(stdout);
   if (std::system("git -C " STYLET_SOURCE " describe --always --dirty") != 0) std::printf("?\n");
   return 1;
@@ -93,8 +98,8 @@ int main(int argc, char** argv) {
   std::uint64_t dearest = 0;
   while (done < options.sessions && (options.ticks == 0 || ticks < options.ticks)) {
     const std::uint64_t seed = options.seed + done++;
-    Scenario scenario = options.procedures ? stylet::test::draw_procedure(seed)
-                                           : stylet::test::draw_scenario(seed);
+    Scenario scenario = options.procedures ? stylet::test::draw_procedure(seed, options.stiffening)
+                                           : stylet::test::draw_scenario(seed, options.stiffening);
     if (options.added_mass) scenario.config.inertia = stylet::Inertia::kAddedMass;
     const Verdict v = stylet::test::simulate(scenario);
     if (options.each) describe(v, seed);

@@ -11,6 +11,7 @@ namespace {
 
 // So that procedures are other sessions than random ones of the same seed.
 constexpr std::uint64_t kProcedures = 1ULL << 48U;
+constexpr std::uint64_t kStiffening = 1ULL << 49U;
 
 TinyMaterial draw_material(Draw& draw) {
   TinyMaterial m;
@@ -30,8 +31,9 @@ TinyMaterial draw_material(Draw& draw) {
   return m;
 }
 
-// Layers along z, held from below and perhaps from the sides.
-std::unique_ptr<OpenOrgan> draw_organ(Draw& draw) {
+// Layers along z, held from below and perhaps from the sides. How fast they stiffen is from a seed
+// of its own: the session is otherwise that of the same seed without.
+std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, bool stiffening, std::uint64_t seed) {
   TinyOrgan tiny;
   for (std::uint16_t* size : {&tiny.nx, &tiny.ny, &tiny.nz}) {
     *size = static_cast<std::uint16_t>(4 + draw.below(6));
@@ -45,6 +47,10 @@ std::unique_ptr<OpenOrgan> draw_organ(Draw& draw) {
   tiny.materials.clear();
   const std::uint32_t layers = 1 + draw.below(3);
   for (std::uint32_t i = 0; i < layers; ++i) tiny.materials.push_back(draw_material(draw));
+  Draw further(~(seed ^ kStiffening));
+  for (TinyMaterial& each : tiny.materials) {
+    if (stiffening) each.strain_stiffening = further.magnitude(1, 100);
+  }
   tiny.material_at = [nz = tiny.nz, layers](std::uint16_t, std::uint16_t, std::uint16_t z) {
     return static_cast<std::uint8_t>(static_cast<std::uint32_t>(z) * layers / nz);
   };
@@ -208,8 +214,8 @@ ObstacleConfig draw_bone(Draw& draw, const HandPlan& plan, float length_m, float
     make_box(bone, {size_m, size_m * draw.between(0.5, 2), size_m * draw.between(0.5, 2)});
     float turn[4];
     for (float& part : turn) part = draw.between(-1, 1);
-    const float norm = std::sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] +
-                                 turn[3] * turn[3]);
+    const float norm =
+        std::sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
     bone.pose.rotation = {turn[0] / norm, turn[1] / norm, turn[2] / norm, turn[3] / norm};
   }
   const Mat3 frame = rotation_matrix(plan.mapping.rotation);
@@ -234,11 +240,11 @@ std::uint64_t ticks_of(const Scenario& scenario, double longest_s) {
 
 }  // namespace
 
-Scenario draw_scenario(std::uint64_t seed) {
+Scenario draw_scenario(std::uint64_t seed, bool stiffening) {
   Draw draw(seed);
   Scenario scenario;
   scenario.seed = seed;
-  scenario.organ = draw_organ(draw);
+  scenario.organ = draw_organ(draw, stiffening, seed);
   scenario.config = draw_config(draw);
   scenario.obstacles = draw_obstacles(draw, scenario.organ->organ);
   scenario.gentle = draw.chance(0.3);
@@ -253,11 +259,11 @@ Scenario draw_scenario(std::uint64_t seed) {
   return scenario;
 }
 
-Scenario draw_procedure(std::uint64_t seed) {
+Scenario draw_procedure(std::uint64_t seed, bool stiffening) {
   Draw draw(seed ^ kProcedures);
   Scenario scenario;
   scenario.seed = seed;
-  scenario.organ = draw_organ(draw);
+  scenario.organ = draw_organ(draw, stiffening, seed);
   const Organ& organ = scenario.organ->organ;
   const float thickness_m = organ.voxel_edge_m * static_cast<float>(organ.size_z);
   scenario.config = draw_config(draw);

@@ -47,9 +47,10 @@ struct Scenario {
   std::uint64_t ticks = 0;
 };
 
-Scenario draw_scenario(std::uint64_t seed);
+// `stiffening`: of tissues that stiffen with their strain.
+Scenario draw_scenario(std::uint64_t seed, bool stiffening = false);
 // What a hand does on purpose: every needle goes in, rests, moves sideways and back, goes deeper,
 // more often than not towards bone on its way, and comes out.
-Scenario draw_procedure(std::uint64_t seed);
+Scenario draw_procedure(std::uint64_t seed, bool stiffening = false);
 
 }  // namespace stylet::test

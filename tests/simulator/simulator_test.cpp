@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "state/layout.h"
 #include "set_speed.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 namespace {

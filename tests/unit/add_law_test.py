@@ -174,7 +174,7 @@ class AddLaw(unittest.TestCase):
         run(FLATC, "--cpp", "--scoped-enums", "-o", folder, folder / "kernel/schema/organ.fbs")
         return [COMPILER, "-std=c++20", "-I", folder, "-I", folder / "kernel/include",
                 "-iquote", folder / "kernel/src", "-iquote", folder / "offline/src",
-                "-iquote", folder / "tests/support"]
+                "-iquote", folder / "tests/support", "-I", SOURCE / "toolchain/toml"]
 
     def printed(self, folder, compiler, source):
         (folder / "numbers.cpp").write_text(source)
@@ -193,6 +193,7 @@ class AddLaw(unittest.TestCase):
             run(*compiler, "-o", program, folder / "main.cpp", kernel / "organ/organ.cpp",
                 kernel / "organ/runs.cpp", kernel / "base/status.cpp",
                 offline / "asset/materials.cpp", offline / "base/toml_file.cpp",
+                SOURCE / "toolchain/toml/toml_text.cpp",
                 offline / "base/file.cpp", "-lfmt", "-lcrypto")
             (folder / "writer.cpp").write_text(WRITER)
             writer = folder / "writer"

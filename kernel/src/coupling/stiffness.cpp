@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling/stiffness.h"
 
+#include "laws/stiff_tip.h"
+
 namespace stylet {
 namespace {
 
@@ -142,16 +144,25 @@ float surface_compliance(const Model& model, const Ground& g, float poisson) {
   return give * power(spread, -kUpperPower) / (g.deep_pa * model.head->edge_m);
 }
 
-// The required law of contact (cone.h): that of the needle's point on the tissue, or that of the
-// thin skin over it (film.h) if the skin is stiffer; between the two if it is hardly stiffer.
+// The required law of contact (cone.h): that of the needle's point on the tissue, steeper where
+// that stiffens, or that of the thin skin over it (film.h) if the skin is stiffer; between the two
+// if it is hardly stiffer.
 struct Punch {
   float stiffness_n_per_m, length_m;
 };
 
+// Of the half angle of the needle's tip.
+float cotangent_of(const Model& model, const State& state) {
+  return 2 * model.head->cone_length_m[state.needle_index] /
+         (kPi * model.needle_config().outer_radius_m);
+}
+
 Punch wanted_punch(const Model& model, const State& state, const MaterialModel& m) {
   const float radius_m = model.needle_config().outer_radius_m;
-  const float cone_m = model.head->cone_length_m[state.needle_index];
-  const float punch_n_per_m = 4 * m.shear_pa * radius_m / (1 - m.poisson_ratio);
+  const StifferTip stiffer = stiffer_tip(m.stiffening, cotangent_of(model, state), m.poisson_ratio);
+  const float cone_m =
+      model.head->cone_length_m[state.needle_index] * (stiffer.deep / stiffer.shallow);
+  const float punch_n_per_m = 4 * m.shear_pa * radius_m / (1 - m.poisson_ratio) * stiffer.deep;
   const float press_m = 2 * m.film.force_n / punch_n_per_m;
   const float bare_m = press_m < cone_m ? std::sqrt(press_m * cone_m) : 0.5F * (press_m + cone_m);
   const float depth_m = m.film.depth_m;
@@ -172,6 +183,7 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   const float nu = m.poisson_ratio;
   const float unit = model.needle_config().unit_m;
   float target = 0, lattice_compliance = 0, slack = 1;
+  const float deep = stiffer_tip(m.stiffening, cotangent_of(model, state), nu).deep;
   float least = 1 / (kMaxCpWeight * k);
   switch (role) {
     case Role::kSurface:
@@ -180,7 +192,9 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
       least = kLeastOwnPart * lattice_compliance;
       break;
     case Role::kTip:
-      target = 24 * kPi * shear_inside_pa(head, m, unit) * a * (1 - nu) / (5 - 6 * nu);
+      // As stiff as in contact, where tissue stiffens: what a puncture finds stored must not be
+      // less than the spring inside stores at the same force.
+      target = 24 * kPi * shear_inside_pa(head, m, unit) * a * (1 - nu) / (5 - 6 * nu) * deep;
       lattice_compliance =
           (kInsideGive - kInsideGiveSlope * nu + kInsideGiveSquares * kMeanSquares) / k;
       break;
@@ -199,8 +213,10 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   if (role == Role::kShaft) {
     particle.axial_fraction = share_of_give(head, m, a, unit, own_compliance, slack);
   }
+  // A tip in tissue that stiffens hardly ever comes so far that it is as stiff as its target.
+  const float asked = role == Role::kShaft ? target : target / deep;
   const float reached = 1 / (slack * own_compliance + lattice_compliance);
-  state.head->coupling_shortfall = max_of(state.head->coupling_shortfall, 1 - reached / target);
+  state.head->coupling_shortfall = max_of(state.head->coupling_shortfall, 1 - reached / asked);
   if (role == Role::kSurface) particle.tissue_compliance = lattice_compliance / own_compliance;
   set_relaxation(head, particle);
 }
@@ -215,8 +231,9 @@ ContactLaw law_of(const Model& model, const State& state) {
   const Ground ground = ground_of(model, tip);
   const float unit_n = ground.deep_pa * head.edge_m * head.edge_m;
   constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
-  const float growth =
-      max_of((kGiveGrowth - kGiveGrowthSquares * ground.squares) * place_part(ground), 1e-3F);
+  // Where tissue stiffens, the lattice does, too: it gives no faster under larger forces.
+  const float faster = m.stiffening > 0 ? 0 : kGiveGrowth - kGiveGrowthSquares * ground.squares;
+  const float growth = max_of(faster * place_part(ground), 1e-3F);
   const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
   const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
   const Punch wanted = wanted_punch(model, state, m);

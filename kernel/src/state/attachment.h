@@ -11,6 +11,10 @@ namespace stylet {
 // Shift of the attachments at the state's tick.
 Vec3 attachment_shift(const Model& model, const State& state);
 
+inline bool has_weight(const Model& model) {
+  const Vec3 g = model.head->config.gravity_m_per_s2;
+  return g.x != 0 || g.y != 0 || g.z != 0;
+}
 // In m/s^2, at the state's tick: all of it once kGravityFadeS have passed.
 Vec3 gravity_now(const Model& model, const State& state);
 

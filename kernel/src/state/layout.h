@@ -483,10 +483,6 @@ struct View {
 inline bool stiffens(const Model& model) {
   return model.head->counts.stiffening_slots != 0;
 }
-inline bool has_weight(const Model& model) {
-  const Vec3 g = model.head->config.gravity_m_per_s2;
-  return g.x != 0 || g.y != 0 || g.z != 0;
-}
 inline bool has_true_mass(const Model& model) {
   return model.head->counts.filtered_particles != 0;
 }

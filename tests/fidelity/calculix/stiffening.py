@@ -3,10 +3,10 @@
 """Solves the bodies of stiffening.json with CalculiX and writes stiffening.csv.
 
 Large strains, hyperelastic: Yeoh's law (1993), whose energy is a polynomial in I - 3, the first
-invariant without the change of volume. For small strains I - 3 is 2 J, with J of PHYSICS 2.7, so the
-coefficients are the first three of that law's series: G/2, G b/8, -G b^2/(32 M). Units: SI.
+invariant without the change of volume. For small strains I - 3 is 2 J, with J of PHYSICS 2.7. So
+the coefficients are the first three of that law's series: G/2, G b/8, -G b^2/(32 M). Units: SI.
 
-    ./stiffening.py [FOLDER]     decks and CalculiX's own output go to FOLDER, else to a temporary one
+    ./stiffening.py [FOLDER]     decks and CalculiX's output go to FOLDER, else to a temporary one
 """
 import csv
 import json

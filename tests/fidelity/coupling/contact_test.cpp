@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "laws/stiff_tip.h"
 #include "rig.h"
 
 namespace stylet::test {
@@ -136,6 +137,80 @@ TEST(Contact, FilmIsThatOfFiniteElements) {
     EXPECT_NEAR(static_cast<double>(kernel_n) / film_n(p, depth_m), 1, 1e-5) << line;
   }
   EXPECT_EQ(rows, 60);
+}
+
+// Force on a tip in tissue that stiffens, over that in tissue that does not, by finite elements
+// (stiff_tip.py): for Poisson's ratio, stiffening times the square of the cotangent of the half
+// angle, and depth over that at which contact is as wide as the needle.
+struct StiffTip {
+  double poisson, strained, depth, ratio;
+};
+
+std::vector<StiffTip> stiff_tips() {
+  std::vector<StiffTip> rows;
+  std::ifstream table(STYLET_STIFF_TIP_TABLE);
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "poisson,stiffening,depth,ratio");
+  while (std::getline(table, line)) {
+    StiffTip& row = rows.emplace_back();
+    EXPECT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &row.poisson, &row.strained, &row.depth,
+                          &row.ratio),
+              4);
+  }
+  return rows;
+}
+
+TEST(Contact, StiffTipIsThatOfFiniteElements) {
+  const std::vector<StiffTip> rows = stiff_tips();
+  ASSERT_EQ(rows.size(), 128U);
+  for (const StiffTip& row : rows) {
+    const StifferTip of =
+        stiffer_tip(static_cast<float>(row.strained), 1, static_cast<float>(row.poisson));
+    const double shallow = static_cast<double>(of.shallow), deep = static_cast<double>(of.deep);
+    const auto law = [&](double steep,
+                         double slope) {  // over the force of unit slope at unit depth
+      const double wide = std::min(row.depth, slope / steep);
+      return steep * wide * wide / 2 + slope * (row.depth - wide);
+    };
+    const double ratio = law(shallow, deep) / law(1, 1);
+    EXPECT_NEAR(ratio / row.ratio, 1, row.depth > 4 ? 0.26 : 0.17)
+        << "nu " << row.poisson << ", b cot^2 " << row.strained << ", depth " << row.depth;
+  }
+  const StifferTip none = stiffer_tip(0, 3.7F, 0.45F);
+  EXPECT_EQ(none.shallow, 1);
+  EXPECT_EQ(none.deep, 1);
+}
+
+TEST(Contact, TissueThatStiffensIsFeltAtTheTipWhateverTheVoxel) {
+  constexpr std::uint16_t kVoxels = 24;
+  const std::vector<StiffTip> rows = stiff_tips();
+  Draw draw = {std::mt19937_64(2)};
+  int seen = 0;
+  for (int i = 0; i < 100; ++i) {
+    const StiffTip& row = rows[draw.engine() % rows.size()];
+    Press p = {draw.between(0.2e-3, 1.5e-3), draw.between(8, 40) * kPi / 180,
+               draw.between(2.5e-3, 7e-3), row.poisson, 0};
+    p.place = {0, static_cast<float>(draw.between(0, 0.5)),
+               static_cast<float>(draw.between(0, 0.5))};
+    const double tangent = std::tan(p.half_angle_rad);
+    p.depth_m = row.depth * kPi * p.radius_m / (2 * tangent);
+    TinyMaterial m;
+    m.strain_stiffening = static_cast<float>(row.strained * tangent * tangent);
+    const double expected = row.ratio * p.sneddon_n(p.depth_m), crush = expected / p.crush_n();
+    if (crush > 3 || p.depth_m > 12e-3 || p.depth_m < 0.5e-3 || m.strain_stiffening > 100 ||
+        row.depth > 4) {
+      continue;
+    }
+    Rig rig = rig_of(p, kVoxels, m);
+    const double force = force_at_rest(rig, start_of(p, kVoxels), p.depth_m);
+    EXPECT_NEAR(force / expected, 1, 0.17)
+        << "draw " << i << ": radius " << p.radius_m << " m, half angle " << p.half_angle_rad
+        << ", voxel " << p.edge_m << " m, nu " << p.poisson << ", depth " << p.depth_m << " m, b "
+        << m.strain_stiffening << ", force " << crush << " G h^2";
+    ++seen;
+  }
+  EXPECT_GT(seen, 25);
 }
 
 // The last contact before the skin is punctured, of a slow needle. Beyond 12 G h^2 voxels are
