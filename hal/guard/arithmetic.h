@@ -16,7 +16,8 @@ inline double of(float value) {
   return static_cast<double>(value);
 }
 
-// Part of its way that a value following another with time constant `slow_s` goes in `step_s`.
+// A value that follows another with time constant `slow_s` covers this fraction of the gap in
+// `step_s`.
 inline double share_of(double step_s, double slow_s) {
   return step_s / (step_s + slow_s);
 }
@@ -25,16 +26,17 @@ inline std::int64_t in_ns(float time_s) {
   return std::llround(of(time_s) * 1e9);
 }
 
-// True if a time is over, or will be before the next tick: so a promise in seconds is kept.
+// True if the time is over, or will be before the next tick: a limit in seconds is not passed by a
+// tick.
 inline bool is_over(const GuardConfig& config, std::int64_t passed_ns, float time_s) {
   return passed_ns + in_ns(config.period_s) > in_ns(time_s);
 }
 
-// Ticks may be lost; then one tick covers all the time that has passed. While a clock stands, or
-// runs backwards, none has.
+// Ticks may be lost: the next one then covers all the time that has passed, at most kMaxStepNs.
+// While the clock stands still or runs backwards, no time passes.
 inline void note_time(const GuardConfig& config, GuardState& state, std::int64_t now_ns) {
   const bool runs = now_ns > state.now_ns;
-  // Of any two times, without an overflow.
+  // Unsigned, so that the difference of any two times does not overflow.
   const std::uint64_t passed_ns =
       static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(state.now_ns);
   const std::int64_t first_ns = in_ns(config.period_s);
@@ -52,7 +54,7 @@ inline double step_s(const GuardConfig& config, const GuardState& state) {
   return one_period ? of(config.period_s) : static_cast<double>(state.step_ns) * 1e-9;
 }
 
-// The same, where something has to go on even though the clock stands.
+// The same for what has to go on even while the clock stands still: then it is one period.
 inline std::int64_t forced_step_ns(const GuardConfig& config, const GuardState& state) {
   return state.step_ns > 0 ? state.step_ns : in_ns(config.period_s);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be configured of a guard and of the device behind it, by a scene or through the C
-// interface. Beyond: refused with the field, its value and these numbers. Units SI.
+// The limits of what a scene or a caller of the C interface may configure of a guard and of the
+// device behind it. A value outside is refused, with its field and these numbers. Units: SI.
 #pragma once
 
 namespace stylet::hal {
@@ -9,7 +9,7 @@ struct Bounds {
   double least, most;
 };
 
-constexpr Bounds kForceBoundsN = {0.01, 100};  // continuous, too
+constexpr Bounds kForceBoundsN = {0.01, 100};  // also of the continuous force
 constexpr Bounds kSlewBoundsNPerS = {1, 1e6};
 constexpr Bounds kRampBoundsS = {0, 10};
 constexpr Bounds kWatchdogBoundsS = {1e-3, 5e-3};
@@ -24,7 +24,8 @@ constexpr Bounds kResolutionBoundsM = {0, 1e-3};
 constexpr Bounds kStiffnessBoundsNPerM = {1, 1e6};  // of the device; 0: unknown
 constexpr Bounds kStoredEnergyBoundsJ = {0, 1000};
 constexpr Bounds kTorqueBoundsNm = {0, 100};
-// Share by which a limit that is a quotient or a product may be passed for its rounding.
+// A limit that is computed as a quotient or a product may be passed by this fraction, for its
+// rounding.
 constexpr double kRoundingShare = 1e-5;
 
 }  // namespace stylet::hal

@@ -10,20 +10,20 @@
 
 namespace stylet::hal::guarding {
 
-// To be called when the device may be somewhere else: the energy drawn on the way is not known, and
-// may be all that a spring can hold.
+// Call this when the device may have moved unseen. What energy the hand put in meanwhile is not
+// known; the most that a spring can hold is assumed.
 void lose_sight(const GuardConfig& config, EnergyObserver& energy);
-// Averages the length of the device's way over kPathS: to and fro it adds up, where a velocity
-// cancels out. To be called before pose_m becomes the new position.
+// Averages the speed along the device's path over kPathS. Motion to and fro adds up in it, but
+// cancels out in a velocity. Call it before pose_m becomes the new position.
 void observe_path(const GuardConfig& config, GuardState& state, Vec3 position_m);
 // Adds the work of the hand in this motion. A position within the resolution of the last is not a
-// motion, so that a count that flickers does no work.
+// motion, so an encoder count that flickers does no work.
 void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_m);
-// The same for a turn of the device.
+// Adds the work of the hand in this turn of the device.
 void observe_turn(const GuardConfig& config, EnergyObserver& energy, Quat rotation);
 // Puts a force, or torque, in front of the earlier ones.
 void remember(std::array<Vec3, kMaxDelayTicks + 2>& newest_first, Vec3 value);
-// Takes back the energy that was made, as far as damping can in this tick.
+// Adds the damping that takes back the energy that was made, as far as one tick can.
 Vec3 damped(const GuardConfig& config, GuardState& state, Vec3 force_n);
 
 }  // namespace stylet::hal::guarding

@@ -17,7 +17,7 @@
 
 namespace stylet::hal {
 
-// Aligned as the word it fills: with less, Clang calls a library that may lock.
+// Aligned like the 64-bit word that it fills: with less, Clang calls a library that may lock.
 struct alignas(std::uint64_t) LatchedFault {
   Fault fault = Fault::kNone;
   std::uint32_t number = 0;  // counts all faults this guard has latched, from 1; 0: no fault

@@ -16,8 +16,9 @@ namespace {
 
 using namespace guarding;
 
-// The budget of the motors: full force while they are cool, the continuous one once they are warm,
-// but never a force that, falling by slew or in a fade, would take more than what is left of it.
+// The largest force that the motors' heat allows: the full one while they are cool, the continuous
+// one once they are warm. A force still heats the motors while it falls, by slew or in a fade; if
+// that would take more than what is left of the budget, the force is too large.
 double largest_force(const GuardConfig& config, const GuardState& state) {
   const double most = of(config.max_force_n), always = of(config.continuous_force_n);
   if (always >= most) return most;
@@ -62,8 +63,8 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
   const double gain =
       full ? 1.0 : static_cast<double>(state.ramp_ns) / static_cast<double>(in_ns(config.ramp_s));
   const double max_force = largest_force(config, state);
-  // Limited first: scaled first, a force asked ten times too large was let in in a tenth of the
-  // time.
+  // Limited before the ramp scales it: the other way round, a force asked ten times too large was
+  // let in in a tenth of the time.
   Vec3 force = wanted;
   if (const double size = wide_length(force); size > max_force) {
     ++state.counters.force_limited;
@@ -73,7 +74,7 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
   force = scaled(force, gain);
   const Vec3 last = state.force_n;
   const Vec3 change = force - last;
-  // After a late tick no more than after one in time: the motors may not have moved meanwhile.
+  // A late tick allows no larger change than one in time: the motors may not have moved meanwhile.
   const double change_s = std::min(step_s(config, state), of(config.period_s));
   const double max_change = of(config.max_slew_n_per_s) * change_s;
   if (const double size = wide_length(change); size > max_change) {
@@ -83,8 +84,8 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
   return force;
 }
 
-// Fades towards zero; true once it is there: with the last tick in time before kDecayNs are over.
-// After a late tick there may be fewer of them than is left to fall; then R3 has precedence.
+// Fades towards zero; true once the force is there, which is at the last tick before kDecayNs are
+// over. After a late tick too few ticks may be left for that; then R3 has precedence, as R6 says.
 bool faded(const GuardConfig& config, GuardState& state) {
   const std::int64_t step_ns = forced_step_ns(config, state), period_ns = in_ns(config.period_s);
   state.fade_ns += step_ns;
@@ -105,8 +106,8 @@ void begin_fade(GuardState& state, GuardMode mode) {
   state.mode = mode;
   state.fade_ns = 0;
   state.fade_left = 1;
-  // The force let through may not have reached the motors yet, and their report may be old: a fade
-  // adds to neither.
+  // The force let through may not have reached the motors yet, and their report may be old: the
+  // fade begins at the smaller of the two.
   const bool less =
       state.have_motor != 0 && wide_length(state.motor_n) < wide_length(state.force_n);
   state.fade_from_n = less ? state.motor_n : state.force_n;
@@ -141,7 +142,7 @@ void follow_button(const GuardConfig& config, GuardState& state) {
 void force_of_mode(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   if (is_armed(state.mode)) {
     state.force_n = limited(config, state, damped(config, state, force_n));
-    watch_for_buzz(config, state);  // its fade begins with the next tick: this one has its step
+    watch_for_buzz(config, state);  // a fade begins with the next tick
   } else if (state.mode == GuardMode::kRelease) {
     if (faded(config, state)) state.mode = GuardMode::kUnarmed;
   } else if (state.mode == GuardMode::kFading) {
@@ -161,7 +162,7 @@ GuardState guard_start() {
 
 void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns) {
   const double idle_s = static_cast<double>(std::max<std::int64_t>(idle_ns, 0)) * 1e-9;
-  state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // slower than real: never thought too cool
+  state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // falls more slowly than motors cool
   lose_sight(config, state.energy);
   state.have_seq = state.have_pose = 0;
   state.have_time = state.force_due = state.torque_due = 0;
@@ -182,7 +183,7 @@ void guard_motor(GuardState& state, const MotorReport& report) {
   state.have_motor = finite(report.force_n) ? 1 : 0;
   state.motor_n = report.force_n;
   if (wide_dot(report.force_n, report.force_n) != 0) state.forced = 1;
-  // Motors whose fade is ahead of ours are not pushed back up.
+  // If the motors' own fade is ahead of the guard's, it shall not push them back up.
   if (const double ours = wide_length(state.force_n), theirs = wide_length(report.force_n);
       guard_falls(state) && theirs < ours) {
     state.fade_from_n = scaled(state.fade_from_n, theirs / ours);
@@ -238,14 +239,14 @@ void guard_trip(GuardState& state, Fault fault) {
 Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   const bool due = std::exchange(state.force_due, 0U) != 0;
   if (!due && !guard_falls(state) && finite(force_n)) return state.force_n;
-  state.step_ns = std::exchange(state.due_ns, 0);  // of more than one sample, perhaps
+  state.step_ns = std::exchange(state.due_ns, 0);  // perhaps the time of more than one sample
   if (!finite(force_n)) {
     ++state.counters.force_not_finite;
     guard_trip(state, Fault::kForceNotFinite);
     force_n = {};
     state.mode = GuardMode::kFault;  // also out of a fade
   }
-  if (state.have_pose == 0) force_n = {};  // nor does the observer hold it against the hand
+  if (state.have_pose == 0) force_n = {};  // the observer does not count it either
   follow_button(config, state);
   force_of_mode(config, state, force_n);
   // While the force is less than full the observer uses what the kernel asks for: a spring that is

@@ -2,18 +2,18 @@
 // The guard between kernel and device: it keeps the hand safe whatever either of them does.
 //
 // It trusts neither side and shares no code with them. Every force it lets through is finite, at
-// most max_force_n long (shortened, never turned), at most max_slew_n_per_s away from the one
-// before, and in the long run no more than the motors bear. Nothing is felt before a device has
-// told where it is: the needle may wait far from the hand. Forces fade in after arming. Trouble
-// latches a fault: the force goes to zero within kDecayS, or at once if it is not a number, and
-// stays there until guard_rearm names the fault. Only a timing fault of loop or device clears by
-// itself, and only if no force was let through before it. If the hand lets go of the dead man's
-// button, the force is zero within kDecayS, too. hal/guard/GUARD.md has all states and limits. All
-// times are times that really pass (`now_ns` of guard_sample), even if ticks are lost or come too
-// often; a clock that stands or runs backwards is a fault. The guard learns from their report what
-// force the motors really have (motor.h), and continues from that. Plain functions over a plain
-// struct: no allocation, no clock, bounded time. Units: SI. Frame: the device's. Source: Hannaford
-// and Ryu 2002 (observer of energy and passivity controller).
+// most max_force_n long (shortened, never turned), changes by at most max_slew_n_per_s, and in the
+// long run is no more than the motors bear. Nothing is felt before a device has told where it is:
+// the needle may wait far from the hand. Forces fade in after arming. Trouble latches a fault: the
+// force goes to zero within kDecayS, or at once if it is not a number, and stays there until
+// guard_rearm names the fault. Only a timing fault of loop or device clears by itself, and only if
+// no force was let through before it. If the hand lets go of the dead man's button, the force is
+// zero within kDecayS, too. hal/guard/GUARD.md has all states and limits. All times are times that
+// really pass (`now_ns` of guard_sample), even if ticks are lost or come too often; a clock that
+// stands or runs backwards is a fault. The guard learns from their report what force the motors
+// really have (motor.h), and continues from that. Plain functions over a plain struct: no
+// allocation, no clock, bounded time. Units: SI. Frame: the device's. Source: Hannaford and Ryu
+// 2002 (observer of energy and passivity controller).
 #pragma once
 
 #include <array>
@@ -32,18 +32,18 @@ constexpr std::int64_t kDecayNs = 20'000'000;
 constexpr std::int64_t kMaxStepNs = 100'000'000;  // longest time between two ticks that is believed
 constexpr float kMaxDistanceM = 10.0F;            // largest distance of a sample that is believed
 constexpr double kRotationTolerance = 0.1;        // of the square of a quaternion's length
-constexpr float kJumpM = 5e-3F;           // allowed beyond the fastest hand's way between samples
-constexpr float kSpeedS = 5e-3F;          // time over which speed is averaged
-constexpr float kBuzzHz = 20;             // slower swings are movements of the hand
+constexpr float kJumpM = 5e-3F;                   // allowed beyond the way of the fastest hand
+constexpr float kSpeedS = 5e-3F;                  // time over which speed is averaged
+constexpr float kBuzzHz = 20;                     // slower swings are movements of the hand
 constexpr std::uint32_t kBuzzTurns = 12;  // to and fro, each within half a period of kBuzzHz
 constexpr float kWarmShare = 0.8F;        // of the thermal budget: force is reduced from here on
 constexpr double kLostEnergyJ = 0.05;     // energy made in spite of the passivity controller
-constexpr float kPathS = 0.020F;          // time over which the length of the way is averaged
-constexpr std::int64_t kMostJumpedNs = 20'000'000;  // of jumps, less a part of the time without
-constexpr std::int64_t kJumpedPart = 10;            // that part
-// When this much time is lost the guard latches Fault::kTooLate: lost at once, or bit by bit if not
-// made up for. Each tick in time makes up for half a period: so a loop must not lose more than a
-// third of its ticks for long. A sample that is so far ahead of its tick does not count.
+constexpr float kPathS = 0.020F;          // time over which the path's length is averaged
+constexpr std::int64_t kMostJumpedNs = 20'000'000;  // time of jumps, less a part of the other time
+constexpr std::int64_t kJumpedPart = 10;            // that part: a tenth
+// When this much time is lost, at once or in total, the guard latches Fault::kTooLate. Each tick in
+// time makes up for half a period, so a loop that goes on losing more than a third of its ticks
+// faults. A sample that is this far ahead of its tick is not used.
 constexpr std::int64_t kMaxLateNs = 20'000'000;
 constexpr std::int64_t kLostTicksPart = 2;
 
@@ -90,9 +90,9 @@ struct GuardConfig {
   float continuous_force_n = 8;  // root mean square over thermal_s; max_force_n or more: no budget
   float thermal_s = 60;
   std::int32_t dead_man_button = -1;     // negative: there is no such button, armed from the start
-  std::int32_t acknowledge_button = -1;  // pressing it anew acknowledges whatever is latched
-  // For the observer of energy: what the device itself dissipates, how well it knows where it is,
-  // and how much of all the energy it was given the tissue may give back.
+  std::int32_t acknowledge_button = -1;  // released and pressed again, it acknowledges the fault
+  // For the observer of energy: what the device itself dissipates and how finely it knows its
+  // position, and the most energy that the tissue may have stored to give back.
   DeviceDynamics device = {};
   float stored_energy_j = 0.8F;
   float passivity_damping_n_s_per_m = 0;  // largest damping of the controller; 0: it only observes
@@ -121,7 +121,7 @@ struct EnergyObserver {
   std::uint32_t have_position;
   Vec3 position_m;        // follows the device's, at most its resolution away
   Vec3 velocity_m_per_s;  // averaged over kSpeedS
-  double path_m_per_s;    // of the way's length, averaged over kPathS
+  double path_m_per_s;    // speed along the path, averaged over kPathS
   std::array<Vec3, kMaxDelayTicks + 2> force_n;  // newest first
   std::uint32_t have_rotation;
   Quat rotation;                                   // of the newest usable sample
@@ -139,11 +139,11 @@ struct BuzzDetector {
 struct GuardState {
   GuardMode mode;
   Fault fault;           // latched
-  std::uint32_t arming;  // grows each time arming begins anew: older orders move nothing then
+  std::uint32_t arming;  // grows with each arming: older orders move nothing
   std::uint32_t have_time;
   std::int64_t now_ns;     // of the newest tick
-  std::int64_t step_ns;    // between it and the tick before; 0: the clock stands
-  std::int64_t lost_ns;    // by ticks that came too late, less what was made up for
+  std::int64_t step_ns;    // between it and the tick before; 0: the clock stands still
+  std::int64_t lost_ns;    // lost by late ticks, less what was made up for
   std::int64_t blind_ns;   // without a usable sample
   std::int64_t jumped_ns;  // of samples that jumped, less a part of that of usable ones
   std::int64_t ramp_ns;    // since arming
@@ -151,17 +151,17 @@ struct GuardState {
   std::uint32_t have_seq;
   std::uint64_t seq;                  // of the newest sample
   std::uint32_t button_seen, button;  // the dead man's, in the newest usable sample since arming
-  std::uint32_t may_acknowledge;      // its button was seen released since the force is gone
+  std::uint32_t may_acknowledge;      // its button was seen released since the force was gone
   std::uint32_t forced;               // a force was ever let through, or the motors ever had one
   std::uint32_t have_pose;
   Vec3 pose_m;   // of the newest usable sample
   Vec3 force_n;  // last one let through
   Vec3 fade_from_n;
   double fade_left;                     // of fade_from_n
-  std::uint32_t force_due, torque_due;  // for the newest tick: none was let through yet
-  std::int64_t due_ns;                  // since a force was let through last
-  std::uint32_t have_motor;             // the device tells what force its motors have
-  Vec3 motor_n;                         // that force, as last told
+  std::uint32_t force_due, torque_due;  // 1: none was let through yet in the newest tick
+  std::int64_t due_ns;                  // time since the last force that was let through
+  std::uint32_t have_motor;             // the device reports the force of its motors
+  Vec3 motor_n;                         // that force, as last reported
   double heat_n2;                       // mean square of the force over thermal_s
   EnergyObserver energy;
   BuzzDetector buzz;
@@ -172,11 +172,12 @@ struct GuardState {
 GuardState guard_start();
 
 // Prepares the guard for another run with a device that stays open: what is latched stays latched,
-// and motors are as warm as they were, less what they cooled in `idle_ns`. All else is armed anew.
+// and motors are as warm as they were, less what they cooled in `idle_ns`. Everything else begins
+// anew.
 void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns);
 
-// Takes what force the motors have, if the device tells; call it before guard_sample. Motors that
-// have stopped by themselves latch a fault.
+// Takes the force that the motors have, if the device reports it; call this before guard_sample.
+// Motors that have stopped by themselves latch a fault.
 void guard_motor(GuardState& state, const MotorReport& report);
 
 // Whether the force can only fall: it is fading, or there is none.
@@ -185,26 +186,26 @@ bool guard_lets_go(const GuardState& state);
 // Whether a force is on its way to zero: after a fault, or since the button was released.
 bool guard_falls(const GuardState& state);
 
-// To be called before guard_sample, when a tick begins, or would have to, so much too late: what
-// the hand did meanwhile must not be felt. guard_sample itself knows only the times it is given,
-// which may be those of a grid.
+// Tells the guard that a tick begins `late_ns` too late, or would have begun then; call this before
+// guard_sample. What the hand did in that time shall not be felt. guard_sample itself knows only
+// the times that it is given, which may be those of a grid.
 void guard_late(GuardState& state, std::int64_t late_ns);
 
-// Instead of guard_sample where no tick was to come: nothing was lost.
+// Call this instead of guard_sample where no tick was due: no time counts as lost.
 void guard_skip(GuardState& state, std::int64_t now_ns);
 
 // End of a run: fades force and torque to zero whatever is asked. True once nothing is left.
 bool guard_end(const GuardConfig& config, GuardState& force_state, GuardState& torque_state,
                std::int64_t now_ns);
 
-// True if the kernel may use the sample. `answered`: the device gave a sample at all. `now_ns` is
-// that of any clock which runs on.
+// True if the kernel may use the sample. `answered`: the device gave a sample at all. `now_ns` may
+// be of any clock that only runs forwards.
 bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, const Sample& sample,
                   std::int64_t now_ns);
 
-// Returns the force to send instead of `force_n`. Without a new guard_sample no time has passed:
-// the force stays what it was. One that falls goes on falling, by a period, and what is no number
-// ends it.
+// Returns the force to send instead of `force_n`. Without a new guard_sample no time has passed,
+// and the force stays what it was; only a falling force goes on falling, by one period a call, and
+// one that is not finite becomes zero.
 Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n);
 
 // The same for a torque, at most `max_torque_nm` long (0: no torque), with a guard of its own; a

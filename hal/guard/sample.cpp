@@ -104,8 +104,9 @@ void trip_on_motion(const GuardConfig& config, GuardState& state) {
   if (controlled && energy.energy_j < -kLostEnergyJ) guard_trip(state, Fault::kEnergy);
 }
 
-// Whole periods that this tick came too late are lost; each tick in time makes up for a part. One
-// at the time of the tick before, by a clock of coarse steps, was a period too early.
+// Whole periods by which this tick came too late are lost; each tick in time makes up for a part of
+// one. A tick at the same time as the one before, on a clock of coarse steps, came a period too
+// early and makes up for a whole one.
 void note_lost(const GuardConfig& config, GuardState& state) {
   const std::int64_t period_ns = in_ns(config.period_s);
   const std::int64_t missed_ns = ((state.step_ns + period_ns / 2) / period_ns - 1) * period_ns;
@@ -158,8 +159,8 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
     return true;
   }
   if (!answered) ++state.counters.samples_missing;
-  // Of samples that jump to and fro each second one may be usable, so that nothing is blind for
-  // long; yet nobody knows where the hand is.
+  // If samples jump to and fro, every second one may be usable, so that the guard is never blind
+  // for long; yet nobody knows where the hand is.
   if (wrong == Fault::kTooFast) state.jumped_ns += state.step_ns;
   if (state.jumped_ns > kMostJumpedNs) guard_trip(state, wrong);
   state.blind_ns = std::min(state.blind_ns + forced_step_ns(config, state), kBlindForEverNs);

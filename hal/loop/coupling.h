@@ -5,11 +5,12 @@
 // In each tick the base moves one Newton step towards the balance K (base - device) = F, using the
 // kernel's bound on the environment's stiffness; the hand feels the spring. If the bound is 0, the
 // base is the device. In the balance the hand feels K K_env / (K + K_env). The bound is an upper
-// one, so the step alone would lag behind a moving hand, felt as a drag of K_bound * period:
-// 15 to 60 N s/m with a needle that slides. So the base first moves as the balance moves, by the
-// fraction K / (K + K_env) of the device's velocity, with K_env from the last force and motion of
-// the base. If the balance needs more force than the hand can be shown, the base is drawn along at
-// the distance of that force: the needle follows the push; what is felt is cut off without a step.
+// one, so the step alone would lag behind a moving hand, felt as a drag of K_bound * period: 15 to
+// 60 N s/m with a needle that slides. So the base first moves as the balance moves, by the fraction
+// K / (K + K_env) of the device's velocity, with K_env from the last force and motion of the base.
+// If the balance needs more force than the hand can be shown, the base is pulled along at the
+// distance at which the spring has that force: the needle follows the push, and the force felt
+// stays at its limit without a step.
 // Promises: the step is safe however wrong K_env is; only + - * / sqrt; no allocation.
 // Units: SI. Frame: world. Source: Colgate, Stanley and Brown 1995; Adams and Hannaford 1999.
 #pragma once

@@ -58,7 +58,7 @@ Helpers::Helpers(Kernel& kernel, const HelperConfig& config, const LoopState& lo
     end();
     throw;
   }
-  ready_.wait();  // `config` and `reports` belong to the caller and this function: not used later
+  ready_.wait();  // the threads use neither `config` nor `reports` later
   for (std::uint32_t i = 0; i < config.count; ++i) {
     for (const std::string& lack : reports[i].lacks) {
       report.lacks.push_back(fmt::format("helper thread {}: {}", i + 1, lack));

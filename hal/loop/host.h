@@ -29,8 +29,8 @@ struct HostState {
 
 void prepare_process(HostState& host);
 // Processors for the loop (the first one) and its helpers, in the order in which they should be
-// taken: isolated ones first, then the others this process may use, from the last. `cpu` -1: none
-// is demanded.
+// taken: isolated ones first, then the others that this process may use, the last one first. `cpu`
+// -1: none is demanded.
 std::vector<int> loop_processors(int cpu);
 // `cpu` -1: the first of loop_processors().
 void prepare_thread(int cpu, int priority, HostReport& report);

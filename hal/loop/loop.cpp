@@ -196,7 +196,7 @@ std::int64_t next_grid_point(const LoopConfig& config, LoopState& state, std::in
   if (now_ns <= next_ns) return next_ns;
   const std::int64_t missed = (now_ns - next_ns + config.period_ns - 1) / config.period_ns;
   count(state.missed_ticks, static_cast<std::uint64_t>(missed));
-  // There may be no further tick in which the guards would see it.
+  // The guards are told at once: there may be no further tick in which they would see it.
   for (HandState& each : state.hand) guard_late(each.guard, missed * config.period_ns);
   return next_ns + missed * config.period_ns;
 }
@@ -259,7 +259,8 @@ void run_loop(const LoopConfig& config, Kernel& kernel, std::span<const Device> 
     for (HandState& each : state.hand) guard_late(each.guard, late_ns);
     if (state.paused.load(std::memory_order_relaxed)) {
       hold_hands(config, kernel, devices, grid_ns, records, state);
-      // Virtual time does not wait, and nothing is urgent.
+      // In virtual time the clock does not wait: without this, a pause would take a whole
+      // processor.
       if (outlets.wait_for_room) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     } else {
       run_tick(config, kernel, devices, grid_ns, late_ns, records, outlets, state);

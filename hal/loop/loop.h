@@ -52,7 +52,7 @@ struct LoopConfig {
   std::uint64_t ticks = 0;
   std::uint32_t hash_every_ticks = 0;     // 0: never
   std::uint32_t display_every_ticks = 1;  // the last tick of a run is always published
-  bool lets_go = true;  // at the end the force fades; false: another run continues with it
+  bool lets_go = true;  // the force fades at the end; false: another run takes it over
   std::array<HandConfig, kMaxNeedles> hand;
 };
 

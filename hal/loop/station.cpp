@@ -26,7 +26,8 @@ void take_models(StationState& state, const Link& link, std::int64_t now_ns) {
 }
 
 // How much of the model is felt: it fades in each time models come again, and fades out in the
-// second half of its life. So at its end nothing is left that the guard would let fall slowly.
+// second half of its life. So nothing is left at its end that the guard would have to let fall
+// slowly.
 float model_share(StationState& state, std::int64_t now_ns) {
   const float out = obeyed_share(state.obeyed, now_ns);
   if (!(out > 0)) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steadies a position that a device tells in steps of its resolution: of all positions that would
-// have been told as this one, it gives the one that the motion so far leads to.
+// Smooths a position that a device reports in steps of its resolution: of all positions that would
+// be reported as this one, it gives the one to which the motion so far leads.
 //
-// With a stiffness of 3.5 N/mm, steps of 0.01 mm give a force of 35 mN at every count, and a needle
-// that sticks meets far more stiffness. Promises: on each axis within half a step of what was told,
-// so it never lags by more; a count that flickers is no motion; without a resolution the result is
-// what was told; only + - * /. Units: SI. Frame: the device's.
+// With a stiffness of 3.5 N/mm, steps of 0.01 mm are steps of 35 mN in the force, and a needle that
+// sticks meets far more stiffness. Promises: on each axis the result is within half a step of the
+// reported position, so it never lags by more; a count that flickers is no motion; without a
+// resolution the result is the reported position; only + - * /. Units: SI. Frame: the device's.
 #pragma once
 
 #include "stylet/units.h"
