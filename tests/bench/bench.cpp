@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long a step of the tissue and a tick take, on liver-like lattices and on organ files named as
-// arguments: for every instruction set this processor has, and beside what others make of the same
+// arguments: for every instruction set of this processor, and next to other programs on the same
 // lattices.
 //
 // tissue: the lattice step with everything physical on and a needle inserted. tick: the whole
 // kernel, needle inserted and pulled sideways; tick_elastic: with an elastic needle in breathing
 // tissue. cadence: kernel and guard at a real period, the processor spinning in between. bullet,
-// eigen: peers.h.
-// threads: that step by one thread (`alone`) and with one helper thread (`shared`); and by two
-// threads that each do steps of their own, each on a processor of its own (`beside`). The time of
-// `beside` over the number of all its steps is the least that `shared` can take here; without it
-// there is no figure (summary.h).
-// The repetitions of all are shuffled. What counts is the median of single runs in a repetition,
-// and of these the median; of threads, only of the repetitions in which `beside` took least.
+// eigen: peers.h. threads: that step by one thread (`alone`) and with one helper thread (`shared`);
+// and by two threads that each do steps of their own, each on a processor of its own (`beside`).
+// `shared` cannot take less than the time of `beside` over the number of all its steps; without
+// `beside` there is no figure for it (summary.h). The repetitions of all are shuffled. What counts
+// is the median of the single runs in a repetition, and then the median of these; for threads, only
+// of the repetitions in which `beside` was fastest.
 #include <benchmark/benchmark.h>
 
 #if defined(__x86_64__)
@@ -51,7 +50,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An organ, and what was made of it once: sessions with the needle inserted, steps of peers.
+// An organ, and what is made from it only once: sessions with the needle inserted, steps of peers.
 struct Subject {
   std::string name;
   std::unique_ptr<OpenOrgan> opened;
@@ -81,13 +80,15 @@ Session inserted_session(Subject& subject, const Config& config, const Variant& 
   }
   if (restore(session.kernel, bytes) != Status::kOk) std::abort();
   session.kernel.step = variant.step;
-  // A snapshot has no scratch, and there a tick tells its steps which voxels hold the needle.
+  // A snapshot does not contain the scratch memory, in which a tick tells its steps which voxels
+  // hold the needle: so one tick more.
   tick(session.kernel, scripted_input(script, kPauseBegin));
   if (view_of(session.kernel).scratch.head->coupled_count == 0) std::abort();
   return session;
 }
 
-// Which time: what passes, or what this thread is given, which is the same on a quiet machine.
+// Which time: real time, or the processor time of this thread. On a quiet machine they are the
+// same.
 enum class Time { kPassing, kOwn };
 
 double now_us(Time time) {
@@ -128,7 +129,7 @@ class Stopwatch {
   std::vector<double> us_;
 };
 
-// So many runs at a time that what reading the clock costs, a microsecond, does not count.
+// So many runs at a time that reading the clock, which takes a microsecond, does not matter.
 int runs_for(const Subject& subject) {
   return subject.organ().voxel_count < 10000 ? 8 : 1;
 }
@@ -158,8 +159,8 @@ int turn_steps(const Kernel& kernel) {
   return std::max(16, static_cast<int>(2000 / (now_us(Time::kPassing) - start)));
 }
 
-// The time that passes for one of so many steps. The first one of all is left out; it fetches what
-// the other thread had.
+// The real time of one step, over `steps` of them. One step before them is left out: it fetches the
+// data that the other thread had.
 double step_us(const Kernel& kernel, int steps) {
   kernel.step(kernel);
   const double start = now_us(Time::kPassing);
@@ -210,10 +211,10 @@ class Other {
   std::thread thread_;
 };
 
-// Steps of one thread alone, of two threads with nothing in common, and of one that is helped, in
-// turn within milliseconds, so that all of them meet the machine in the same state. For alone and
-// shared: the median of the turns. For beside: all the time that passed over all the steps that
-// both did in it, since medians of single steps do not show that two threads take turns on one
+// Steps of one thread alone, of two threads with nothing in common, and of one with a helper, by
+// turns of milliseconds, so that all of them meet the machine in the same state. For alone and
+// shared: the median of the turns. For beside: the whole time over the number of steps that both
+// did in it, since medians of single steps do not show that two threads take turns on one
 // processor.
 void bench_threads(benchmark::State& state, Subject& subject, const Variant& variant) {
   const std::vector<int> allowed = allowed_processors();
@@ -325,8 +326,8 @@ void bench_peer(benchmark::State& state, Subject& subject, const std::string& na
   [[maybe_unused]] const FlushDenormals flush;
   std::function<void()>& step = subject.peer[name];
   if (!step) {
-    // Until what drags at one end is felt at the other. Before, voxels are at rest, whose SVD costs
-    // only a third.
+    // Until the drag at one end is felt at the other. Before that voxels are at rest, and their SVD
+    // costs only a third.
     const Organ& organ = subject.organ();
     step = make(organ);
     for (std::uint32_t i = 0; i < 0U + organ.size_x + organ.size_y + organ.size_z; ++i) step();
@@ -490,7 +491,7 @@ int main(int argc, char** argv) {
   const std::string folder = take_results_folder(argc, argv);
   std::vector<std::string> defaults = {"--benchmark_enable_random_interleaving=true",
                                        "--benchmark_repetitions=15", "--benchmark_min_time=0.1"};
-  std::vector<char*> words(argv, argv + argc);  // what the user says comes later and wins
+  std::vector<char*> words(argv, argv + argc);  // the user's options come later and win
   for (std::string& word : defaults) words.insert(words.begin() + 1, word.data());
   int count = static_cast<int>(words.size());
   benchmark::Initialize(&count, words.data(), print_help);

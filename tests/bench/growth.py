@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the work grows: instructions (AVX2) against voxels, constraint particles, rods, triangles.
 
-Counts with callgrind, a step with AVX-512 by single steps; fits a line to each, and fails where the
-work does not lie on it, where a step takes more than its budget, or where it depends on how violent
-the hand is. Writes the counts and, with gnuplot, their picture. With --readme it fails where that
-file's counts of a step are not these within a percent.
+Counts with callgrind, for AVX-512 by single-stepping; fits a line to each, and fails if the counts
+do not lie on it, if a step takes more than its budget, or if the count depends on how violent the
+hand is. Writes the counts and, with gnuplot, their picture. With --readme it also fails if the
+counts of a step in that file differ from these by more than one percent.
 
 usage: growth.py STYLET_WORK [--out FOLDER] [--quick] [--readme README]
 """
@@ -18,8 +18,9 @@ import sys
 import tempfile
 
 # Instructions a voxel, physical mode, needle inserted, 5k voxels: of a step with true mass, whose
-# filter takes three passes there, and of a sweep alone, a step with added mass. The passes have 8
-# lanes with AVX-512, too: more instructions than with 16, in less time (kernel/decisions/08).
+# filter takes three passes there, and of a sweep alone, a step with added mass. With AVX-512 the
+# passes have 8 lanes as well: more instructions than with 16, but in less time
+# (kernel/decisions/08).
 BUDGET = {"step": {"avx2": 227, "avx512": 162}, "sweep": {"avx2": 125, "avx512": 62}}
 STRAIGHT = 0.10  # largest distance of a point from the line, of the largest count
 SAID = re.compile(r"takes ([\d.]+) instructions a voxel with AVX2 and ([\d.]+) with AVX-512\. "
@@ -74,7 +75,7 @@ def series(program, quick):
 
 def judge(found):
     for name, points in found.items():
-        if name == "triangles":  # a tree's queries: the budget of limits.h is the bound
+        if name == "triangles":  # queries of a tree: limits.h has their bound
             if max(y for _, y in points) > 60000:
                 yield f"a query of the surface takes {max(y for _, y in points)} instructions"
             continue

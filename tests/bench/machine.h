@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processor's name, with family and model: clouds give many of them the same name.
+// The processor's name, with family and model, because cloud providers give many processors the
+// same name.
 #pragma once
 
 #include <fstream>

@@ -26,7 +26,7 @@ struct Lattice {
   std::vector<bool> held;
   int steps = 0;
 
-  // By how much the dragged particles are off their places: to and fro sideways, 1.2 deep.
+  // Displacement of the dragged particles from rest: sideways to and fro, and 1.2 deep.
   Eigen::Vector3f drag() const {
     const float phase =
         2 * std::numbers::pi_v<float> * kHandHz * kPeriodS * static_cast<float>(steps);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two processors for two threads, and a thread on one of them: left alone, Linux may run both on
-// one for longer than a measurement lasts.
+// Two processors for two threads, and a thread on one of them: Linux by itself may run both on one
+// processor for longer than a measurement lasts.
 #pragma once
 
 #include <sched.h>

@@ -21,8 +21,8 @@ constexpr const char* kVoxels = "voxels";
 constexpr const char* kSubsteps = "substeps";
 constexpr const char* kPasses = "passes";  // of the filter, in a substep
 
-// How many times as fast as one two threads with nothing in common are, where they really run at
-// the same time: 1.94 to 2.02 in every committed result.
+// Speed of two threads with nothing in common over that of one, if they really run at the same
+// time: 1.94 to 2.02 in every committed result.
 constexpr double kLeastBeside = 1.9;
 constexpr double kMostBeside = 2.1;
 
@@ -33,8 +33,8 @@ class Summary : public benchmark::BenchmarkReporter {
 
   // Between ReportRuns and print: rows in order of organ and measure.
   void Finalize() override;
-  // First what was refused and why. One line for each benchmark: median, per voxel and substep, and
-  // how many times as long a peer or one thread takes.
+  // First what was refused and why; then one line for each benchmark: the median, the same per
+  // voxel and substep, and how many times as long a peer, or one thread, takes.
   void print(std::ostream& out) const;
   void write(const std::string& folder) const;
 
@@ -47,15 +47,15 @@ class Summary : public benchmark::BenchmarkReporter {
   std::vector<std::string> refused_;
 
   void add_row(const Run& run, const std::string& measure, double median_us);
-  // Two threads tell what the kernel does only while nobody else uses their processors, which on a
-  // shared machine is now and then. The time of two threads with nothing in common tells when: the
-  // medians are of those repetitions, a quarter of all, in which it was least. Those of all
-  // repetitions are rows too, *_any. Where these two threads are not about twice as fast as one,
-  // they did not run at the same time, and no figure is given.
+  // Times of two threads say something of the kernel only while nobody else uses their processors,
+  // which on a shared machine is only now and then. Two threads with nothing in common show when
+  // that is: the medians are of the quarter of the repetitions in which these two were fastest. The
+  // medians of all repetitions are in the rows *_any. If these two threads are not about twice as
+  // fast as one, they did not run at the same time, and no figure is given.
   void add_threads(std::vector<const Run*> each);
 
-  // Of the benchmark `measure` on the same organ (and variant, if it has any), over this one; 0 if
-  // it was not run.
+  // Time of the benchmark `measure` on the same organ (and variant, if it has any) over the time of
+  // this one; 0 if it was not run.
   double ratio(const std::string& measure, const std::string& variant, const Row& to) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the summary tells of two threads: figures only where two with nothing in common were twice
-// as fast as one.
+// What the summary says of two threads: there are figures only if two threads with nothing in
+// common were twice as fast as one.
 #include "summary.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ std::string summary_of(double gain, double noise_us) {
   return out.str();
 }
 
-TEST(BenchSummary, TwoThreadsAreToldWhereTheyRanAtTheSameTime) {
+TEST(BenchSummary, TwoThreadsHaveAFigureIfTheyRanAtTheSameTime) {
   for (const double gain : {1.93, 2.0, 2.07}) {
     const std::string text = summary_of(gain, 10);
     EXPECT_NE(text.find("shared/liver_1k/avx2"), std::string::npos) << text;
@@ -44,7 +44,7 @@ TEST(BenchSummary, TwoThreadsAreToldWhereTheyRanAtTheSameTime) {
   }
 }
 
-TEST(BenchSummary, NoFigureWhereTheyTookTurns) {
+TEST(BenchSummary, TwoThreadsThatTookTurnsHaveNoFigure) {
   for (const double gain : {1.0, 1.5, 1.85, 2.2}) {
     const std::string text = summary_of(gain, 10);
     EXPECT_EQ(text.find("shared/"), std::string::npos) << text;
@@ -53,7 +53,7 @@ TEST(BenchSummary, NoFigureWhereTheyTookTurns) {
   }
 }
 
-TEST(BenchSummary, WhatCouldNotBeMeasuredIsToldOnce) {
+TEST(BenchSummary, WhatCouldNotBeMeasuredIsSaidOnce) {
   std::vector<OneRun> runs(15);
   for (OneRun& run : runs) {
     run.run_name.function_name = "threads/liver_1k/avx2";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One step of the tissue or one tick, in a state that the arguments choose, for callgrind, which
-// counts what lies between the two marks and nothing else. If an instruction set is named, the
-// program counts the step itself, one instruction after the other, since callgrind does not know
-// AVX-512. Prints the numbers that the counts are set against. growth.py calls it.
+// counts only what lies between the two marks. If an instruction set is named, the program itself
+// counts the step, one instruction after the other, since callgrind does not know AVX-512. Prints
+// the amounts against which the counts are plotted. growth.py calls it.
 #include <sys/ptrace.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -45,7 +45,7 @@ template <typename Call>
 long stepped(Call call) {
   const pid_t child = fork();
   if (child == 0) {
-    if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(77);  // stopped, none would wake it
+    if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(77);  // nobody would wake it
     std::raise(SIGSTOP);
     call();
     _exit(0);
@@ -110,9 +110,8 @@ int count(const Work& work) {
 }  // namespace
 }  // namespace stylet::test
 
-// usage: stylet-work VOXELS UNIT_MM RODS away|quiet|violent step|tick|sweep [avx2|avx512]
-// A sweep is a step with added mass, so without the filter. Ends with 77 where this machine cannot
-// do that.
+// usage: stylet-work VOXELS UNIT_MM RODS away|quiet|violent step|tick|sweep [avx2|avx512] A sweep
+// is a step with added mass, so without the filter. Exits with 77 if this machine cannot count so.
 int main(int argc, char** argv) {
   using namespace stylet::test;
   if (argc != 6 && argc != 7) return 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays a recorded insertion and says what became of the state. The same source on every target,
+// Plays a recorded insertion and prints what became of the state. The same source on every target,
 // with or without an operating system: memory is static, text goes out through platform.h.
 //
 // usage: replay CASE hashes EVERY FIRST LAST   hash after every EVERY-th tick, and the events

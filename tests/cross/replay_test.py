@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Recorded insertions leave the same bits on another processor: every hash, and the tick of every
-contact and puncture. Where they do not: the first tick that differs, and in which field. On Windows
-each instruction set is asked for by its name, too.
+"""Recorded insertions give the same bits on another processor: every hash, and the tick of every
+contact and puncture. If they do not, it names the first tick and field that differ. On Windows each
+instruction set is asked for by its name, too.
 
 usage: replay_test.py REPOSITORY BUILD_FOLDER i686|aarch64|cortex_m7|wasm|windows
 """
@@ -13,12 +13,12 @@ sys.dont_write_bytecode = True
 import target  # noqa: E402
 
 EVERY, TICKS = 50, 1000
-# Whoever allocates brings one of these; the image must have none.
+# Code that allocates brings one of these symbols; the image must have none.
 HEAP = {"malloc", "_malloc_r", "_sbrk", "_sbrk_r", "_Znwj", "_Znaj", "_ZdlPv", "__cxa_throw"}
 
 
 def first_difference(here, there, name, case, tests_build):
-    """What differs first, as `here` and `there` (functions of words) tell it."""
+    """What differs first; `here` and `there` run the replay with the words they are given."""
     wrong = next((a for a, b in zip(here("hashes", EVERY, 1, TICKS),
                                     there("hashes", EVERY, 1, TICKS)) if a != b), None)
     if wrong is None or not wrong.startswith("hash"):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The replay matrix, checked: it names the tick and field that differ, and its image has no heap.
+"""Checks the replay matrix itself: it names the tick and field that differ, and its image has no
+heap.
 
 usage: self_test.py REPOSITORY BUILD_FOLDER
 """
@@ -36,8 +37,8 @@ def sum_of(text):
 
 
 def one_bit_wrong(lines):
-    """The snapshot with the lowest bit of the state's first number, the tick, flipped, and with
-    the sum of these bytes: as a target that computes otherwise would write it."""
+    """The snapshot with the lowest bit of the state's first number, the tick, flipped, and with the
+    sum of these bytes: as a target that computes differently would write it."""
     text = "".join(lines)
     header, state = text[:2 * HEADER_BYTES - 16], text[2 * HEADER_BYTES:]
     state = state[:7] + format(int(state[7], 16) ^ 1, "x") + state[8:]
@@ -73,7 +74,7 @@ class VirtualTime(unittest.TestCase):
         said = list(virtual_time.faults(committed, found))
         self.assertEqual([line[0] for line in said], ["b", "c"])
 
-    def test_wants_every_case(self):
+    def test_a_missing_case_is_a_failure(self):
         self.assertEqual(len(list(virtual_time.faults({}, {"a": (1, 0)}))), 1)
 
 
@@ -93,7 +94,7 @@ class Image(unittest.TestCase):
         done = self.link("")
         self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_does_not_link_with_one(self):
+    def test_does_not_link_with_a_heap(self):
         done = self.link("*static_cast<int volatile*>(std::malloc(4)) = 1;")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("_sbrk", done.stderr)

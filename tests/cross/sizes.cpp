@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `sizes` says of lattices whose bytes need more than 32 bits, and of some with voxels far
-// apart that do not. Prints a line for each, with the status and the bytes of the three blocks; of
-// the model, those behind its head. The latter lattices are also made and ticked.
+// What `sizes` says of lattices that need more bytes than 32 bits can count, and of some with
+// voxels far apart that do not. Prints a line for each, with the status and the bytes of the three
+// blocks (of the model without its head). The lattices that fit are also created and ticked.
 #include <cstdio>
 #include <random>
 #include <vector>

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A target with 32-bit addresses predicts the same bytes as the host, or says that a block has too
-many for it: exactly where one has.
+"""A target with 32-bit addresses predicts the same bytes as the host, or says that a block is too
+large for it, in exactly those cases in which one is.
 
 usage: sizes_test.py REPOSITORY BUILD_FOLDER
 """

@@ -33,7 +33,7 @@ def call(command, environment=None):
 
 
 def runner_of(target, program):
-    """What runs the program; 32-bit x86 needs an emulator where the system runs none itself."""
+    """What runs the program: for 32-bit x86 an emulator, if the system cannot run it."""
     runner = TARGETS[target][1]
     if target != "i686":
         return runner

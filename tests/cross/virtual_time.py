@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every tick of the bare Cortex-M7 image takes the same number of instructions on every run, and
-the most it takes is a committed number.
+"""Each tick of the bare Cortex-M7 image takes the same number of instructions in every run, and the
+largest number is committed.
 
 The emulator's time is a count of instructions, so no other load on the machine can change it. The
 numbers are in virtual_time.txt; --update writes them anew.

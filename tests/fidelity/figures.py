@@ -26,11 +26,11 @@ import numpy as np
 import stylet
 
 import force_curve
-from draw import OTHERS, PALETTE  # nothing else has the colour of a cause of force
+from draw import OTHERS, PALETTE  # no other line has the colour of a cause of force
 
 BLOCK_MM, SPEED_M_PER_S = 120, 10e-3
 NEEDLE = stylet.Needle(outer_radius_m=0.635e-3)  # 18G
-# No relaxation, which the laws do not have, and no puncture unless a figure wants one.
+# Without relaxation, which the laws do not have, and without puncture unless a figure asks for one.
 TISSUE = """[tissue]
 source = "figures.py"
 density_kg_per_m3 = 1000

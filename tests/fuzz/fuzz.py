@@ -6,10 +6,10 @@ usage: fuzz.py BUILD_FOLDER TARGET... [--runs N | --seconds N] [--seed N]
 
 As many targets at a time as there are processors, each started from the seeds committed in
 tests/fuzz/seeds/TARGET. With --runs the same inputs are tried every time (CI); with --seconds as
-many as fit, from a seed of the day or --seed. What is worth keeping stays in
+many as fit, from a seed of the day or --seed. Inputs worth keeping stay in
 BUILD_FOLDER/corpus/TARGET for the next run. An input that breaks a promise is left in
-BUILD_FOLDER/finds; once mended it belongs into the seeds, where every build replays it, with a
-suffix (.bin where it is not text).
+BUILD_FOLDER/finds; once the defect is mended it belongs in the seeds, which every build replays,
+with a suffix (.bin if it is not text).
 """
 import argparse
 import concurrent.futures
@@ -24,13 +24,13 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
 TARGETS = ["organ", "tick", "snapshot", "mesh", "tissues", "label", "recipe", "scene", "recording",
            "packet"]
-# Longest inputs worth trying: beyond, they are slow and no different.
+# Longest inputs worth trying: longer ones are slower and find nothing else.
 MAX_BYTES = {"organ": 8192, "tick": 1024, "snapshot": 96, "mesh": 2048, "tissues": 2048,
              "label": 4096, "recipe": 2048, "scene": 4096, "recording": 64, "packet": 512}
 
 
 def run_quietly(command):
-    """Runs a command; its output is shown only where it fails."""
+    """Runs a command; its output is shown only if it fails."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
         sys.exit(f"{done.stdout}\nfuzz.py: failed: {' '.join(map(str, command))}")
@@ -57,12 +57,12 @@ def command_of(folder, target, options):
     dictionary = HERE / f"{target}.dict"
     if dictionary.exists():
         command.append(f"-dict={dictionary}")
-    # What is new goes into the first folder.
+    # libFuzzer writes new inputs into the first folder.
     return command + [corpus, HERE / "seeds" / target]
 
 
 def fuzz(folder, target, options):
-    """Whether every promise held, and what there is to say."""
+    """Whether every promise held, and a line to print about it."""
     environment = dict(os.environ, UBSAN_OPTIONS="print_stacktrace=1", TMPDIR=str(folder),
                        LSAN_OPTIONS=f"suppressions={SOURCE}/toolchain/leaks.txt")
     done = subprocess.run(command_of(folder, target, options), stdout=subprocess.PIPE,

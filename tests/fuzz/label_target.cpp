@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a label map; the first byte chooses the format. They are refused with one line, or
-// give a map whose voxels are all there, at a place that is finite, with names that can be shown.
+// give a map with all its voxels, at a finite position, with names that can be shown.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Files that go with the object.
+// Files that are removed with the object.
 struct Folder {
   fs::path path;
   Folder() {
@@ -29,7 +29,7 @@ struct Folder {
   Folder& operator=(const Folder&) = delete;
   ~Folder() { fs::remove_all(path); }
 
-  // What DICOM files begin with is no input.
+  // The beginning of DICOM files is not part of the input.
   fs::path write(const std::string& name, std::string_view bytes, bool is_dicom) const {
     std::ofstream out(path / name, std::ios::binary);
     if (is_dicom) out << std::string(128, '\0') << "DICM";
@@ -75,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::size_t format = data[0] % kEndings.size();
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  // With voxels in a file of their own, a reader would read whatever file the input names.
+  // If the voxels are in a file of their own, a reader would read any file that the input names.
   std::string lower(bytes);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The seeds of fuzz_label: a small map in every format, a byte that names it in front.
+"""The seeds of fuzz_label: a small map in every format, after a byte that names the format.
 
 usage: make_label_seeds.py tests/fuzz/seeds/label
 """

@@ -20,8 +20,8 @@ void write_organ(const std::string& path, const TinyOrgan& tiny) {
   write(path, bytes.data(), bytes.size());
 }
 
-// What only a file of version 2 may have: two sheets with a tie, a cell that both have a part of, a
-// plane between two tissues, and a sum.
+// Everything that only a file of version 2 may have: two sheets with a tie, a cell with a part of
+// each, a plane between two tissues, and a checksum.
 void write_sheets(const std::string& path) {
   constexpr std::uint16_t kRows = 3;
   TinyOrgan tiny;
@@ -101,7 +101,7 @@ struct Script {
   }
 };
 
-// In, sideways, turned, out, with samples that are missing or wrong.
+// The needle goes in, sideways, turns, and comes out, with missing and wrong samples.
 Script insertion(std::uint8_t kind, std::uint8_t tip, std::uint8_t obstacles) {
   Script script;
   script.bytes = {kind, tip, obstacles};
@@ -163,7 +163,7 @@ void write_changes(const std::string& folder) {
 }
 
 // Steps as packet_target.cpp reads them, after the byte that says who listens: a good packet with
-// its changes and a tick with its force; time that passes; bytes as they are.
+// its changes, and a tick with its force; a wait; raw bytes.
 void write_packets(const std::string& folder) {
   const std::vector<std::uint8_t> steady = {4, 0, 10, 20, 0, 0, 0x80, 0x3F};
   const std::vector<std::uint8_t> gap = {1, 30}, none = {0, 9, 'S', 'T', 'Y', 'S', 3, 0, 108, 0, 1},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a mesh, in each of the formats. They are refused with one line that names the file,
-// or read into triangles whose points are there and finite.
+// or read into triangles whose points exist and are finite.
 #include <new>
 
 #include "meshes/mesh_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an organ file. They are refused with a reason, or a hundred ticks of a needle that
-// goes in keep every promise, with memory that follows the number of voxels. Bytes that begin with
-// "sparse" draw runs of voxels far apart, which damaged files hardly ever hold.
+// Any bytes as an organ file. They are refused with a reason, or a hundred ticks of an insertion
+// keep every promise, with memory proportional to the number of voxels. Bytes that begin with
+// "sparse" describe runs of voxels far apart, which damaged files hardly ever contain.
 #include <algorithm>
 #include <cmath>
 #include <vector>

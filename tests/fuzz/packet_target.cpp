@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes where packets are expected: from a device over `udp:` and `shm:`, and from Stylet at a
-// station. Whatever comes, and whenever: numbers that are read count up, the force that leaves is
-// finite and within its limit, and every packet that is sent is a good one that lives no longer
-// than it may.
+// station. Whatever comes, and whenever it comes: the numbers of accepted packets count up, the
+// force that is given is finite and within its limit, and every packet that is sent is valid and
+// lives no longer than allowed.
 //
-// The first byte chooses who listens. Then each step is a tick, some time, bytes as they are, or a
-// good packet in which bytes are changed, with a right checksum: with a wrong one it would get no
-// further than the check.
+// The first byte chooses who listens. Then each step is a tick, a wait, raw bytes, or a good packet
+// with changed bytes and a correct checksum: with a wrong one it would get no further than the
+// check.
 #include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any text as a recipe, for a map with names of its own. It is refused with one line that names the
-// file, or gives tissues each of whose labels is in one of them only, and numbers that are finite.
+// file, or gives tissues with finite numbers, and each label belongs to only one tissue.
 #include <cmath>
 #include <set>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording in which anything may be wrong. It is refused with one line, or every row can be read
-// and what it was made with is something that a kernel can be asked for.
+// and a kernel may be asked for the configuration in it.
 //
-// HDF5 itself is not under test: a file of raw noise exercises its parser, whose defects are not
-// ours to mend. So a good recording is taken, and the input says what to change in it through the
-// library: attributes, and types and shapes of columns.
+// HDF5 itself is not under test: a file of noise would only test its parser, whose defects we
+// cannot mend. So the input says what to change in a good recording by means of the library:
+// attributes, and types and shapes of columns.
 #include <hdf5.h>
 
 #include <array>
@@ -74,7 +74,7 @@ hid_t type_from(std::uint8_t choice) {
   return types[choice % types.size()];
 }
 
-// Another attribute in the place of one: of any type, length and content.
+// Replaces an attribute by one of any type, length and content.
 void replace_attribute(hid_t file, const std::string& name, Bytes& bytes) {
   (void)H5Adelete(file, name.c_str());
   const hsize_t length = bytes.byte() % 8U;
@@ -90,7 +90,7 @@ void replace_attribute(hid_t file, const std::string& name, Bytes& bytes) {
   (void)H5Sclose(space);
 }
 
-// Another data set in the place of one: of any type and shape, with or without rows.
+// Replaces a data set by one of any type and shape, with or without rows.
 void replace_column(hid_t file, const std::string& name, Bytes& bytes) {
   (void)H5Ldelete(file, name.c_str(), H5P_DEFAULT);
   const int rank = bytes.byte() % 4;
@@ -121,7 +121,7 @@ void change(hid_t file, Bytes& bytes) {
   if (kind % 4 == 3) replace_column(file, name, bytes);
 }
 
-// Whatever the file says a kernel was made with, asking for it is safe.
+// It is safe to ask for a kernel with any configuration that the file contains.
 void ask_for(const hal::RecordingInfo& info) {
   static const std::unique_ptr<OpenOrgan> organ = block_organ(2, 2, 2);
   Sizes need = {};

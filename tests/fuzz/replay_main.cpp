@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const fs::path& file : files) {
-    // Named before it is run: the last line is the one that failed.
+    // The name is printed before the input is run, so the last line names the one that failed.
     std::printf("%s\n", file.c_str());
     std::fflush(stdout);
     const std::vector<std::uint8_t> bytes = bytes_of(file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any text as a scene. It is refused with one line that names the file, or all that the scene says
-// is something that the kernel, the guard and the hand take.
+// Any text as a scene. It is refused with one line that names the file, or kernel, guard and hand
+// accept everything that it says.
 #include <cmath>
 
 #include "hal/device/drivers/simulated_hand.h"

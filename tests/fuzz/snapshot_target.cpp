@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a snapshot, with the right header and checksum. They are refused and nothing
-// changes, or a hundred ticks of hands that move are finite, or end in a fault without force.
+// changes; or a hundred ticks with moving hands are finite, or end in a fault without force.
 //
 // The first byte chooses kernel and moment. Then each change is a field, an element, a word in it,
-// and what to write there: a number that may be wrong, or one that is nearly right. The last bytes
-// move the hands. (Whole states as bytes would be refused for a wrong number long before a wrong
-// index is met.)
+// and what to write there: any number, or one that is nearly right. The last bytes move the hands.
+// (Whole states as bytes would be refused for a wrong number long before a wrong index is met.)
 #include <vector>
 
 #include "base/math.h"
@@ -65,8 +64,8 @@ std::vector<Span> fields_of(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);
   State view = state_of(kernel.state, c);
   std::vector<Span> fields;
-#define STYLET_FUZZ_FIELD(name, type, count)                                                   \
-  fields.push_back(                                                                            \
+#define STYLET_FUZZ_FIELD(name, type, count)                                                       \
+  fields.push_back(                                                                                \
       {static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&view.name[0]) - kernel.state), \
        sizeof(type), static_cast<std::size_t>(count)});
   STYLET_STATE_FIELDS(STYLET_FUZZ_FIELD)
@@ -128,7 +127,7 @@ void run_on(Kept& kept, Bytes& bytes) {
   }
 }
 
-// What may be asked between ticks uses indices, too.
+// Functions that may be called between ticks use indices, too.
 void report(const Kept& kept) {
   std::vector<Vec3> places(block().vertices.size());
   (void)surface(kept.session.kernel, places);

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-// Any bytes. Returns 0; what must not happen aborts.
+// Takes any bytes. Returns 0, and aborts if a promise is broken.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace stylet::test {
@@ -30,7 +30,7 @@ inline void promise_one_line(std::string_view message) {
   promise(message.find('\n') == std::string_view::npos, "a refusal is longer than a line");
 }
 
-// Numbers out of the input, zeros behind its end.
+// Reads numbers from the input, and zeros behind its end.
 struct Bytes {
   std::span<const std::uint8_t> left;
 
@@ -51,7 +51,7 @@ struct Bytes {
   }
 };
 
-// A file with these bytes that is gone with the object: for readers that want a path.
+// A file with these bytes, removed with the object, for readers that need a path.
 class InputFile {
  public:
   InputFile(std::span<const std::uint8_t> bytes, const char* suffix);

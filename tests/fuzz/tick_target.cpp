@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any sequence of poses for one to four needles, rigid or not, with obstacles and breathing: every
 // promise holds after every tick, no tick costs more than the worst case of tests/rt, and the same
-// inputs on other scratch give the same state.
+// inputs give the same state whatever the scratch memory contained.
 //
 // The first bytes choose what is simulated. Then each operation is a byte (needle, kind, repeats)
 // and its numbers. Small moves reach the tissue and its rules; raw floats are what a broken device
@@ -197,7 +197,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace stylet::test;
   const Bytes bytes{{data, size}};
   const std::uint64_t first = run_all(bytes, std::byte{0});
-  if (size % 4 != 0) return 0;  // one in four, for it doubles the time
+  if (size % 4 != 0) return 0;  // only one in four, because it doubles the time
   promise(run_all(bytes, std::byte{0xFF}) == first, "scratch or chance matters");
   return 0;
 }

@@ -12,7 +12,7 @@ the scenes compare their runs with it. A scene is a dict:
     contact, puncture    tick of the first one, for each needle; null: none
     points   every 1000 ticks, and at the end: [tick, hash of the state, checksum of the inputs
              since the last point, checksum of the outputs, and for each needle tip_m, force_n,
-             depth_m, constraint particles]. The numbers are there to be read: what changed?
+             depth_m, constraint particles]. The numbers are for people, to see what changed.
 
 Programs, data and packages as in hal/scenes/play.py.
 """
@@ -66,7 +66,7 @@ def columns_of(needle):
 
 
 def digest(recording):
-    """What the table says of a recording."""
+    """The table's entry for a recording."""
     with h5py.File(recording) as file:
         ticks, needles = int(file.attrs["ticks"]), len(file["needles/length_m"])
         hashes = np.asarray(file["loop/state_hash"])
@@ -95,7 +95,7 @@ def field_name(index):
 
 
 def point_difference(start, golden, now):
-    """One line on a stretch that differs, empty if it does not."""
+    """One line about a stretch that differs; empty if it does not."""
     if len(golden) != len(now):
         return f"tick {golden[0]}: {len(now)} values, golden {len(golden)}"
     differ = [i for i, (a, b) in enumerate(zip(golden, now)) if a != b]
@@ -111,7 +111,7 @@ def point_difference(start, golden, now):
 
 
 def difference(golden, now):
-    """The first thing that differs, in words; empty: nothing does."""
+    """The first difference, in words; empty if there is none."""
     if golden["organ"] != now["organ"]:
         return f"organ file: hash {now['organ']}, golden {golden['organ']}"
     start = 0
@@ -133,7 +133,7 @@ def read_table():
 
 
 def write_table(table):
-    """One line a point, so that a change can be read."""
+    """One line for each point, so that a change can be read."""
     scenes = []
     for name, scene in sorted(table.items()):
         head = ",\n".join(f'  "{key}": {json.dumps(scene[key])}'

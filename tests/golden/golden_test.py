@@ -22,7 +22,7 @@ class Comparison(unittest.TestCase):
     def found(self):
         return golden.difference(self.golden, self.now)
 
-    def test_the_same_is_the_same(self):
+    def test_finds_no_difference_between_equal_replays(self):
         self.assertEqual(self.found(), "")
 
     def test_names_the_stretch_and_the_number(self):
@@ -60,7 +60,7 @@ class Comparison(unittest.TestCase):
 
 
 class Table(unittest.TestCase):
-    def test_has_every_scene_and_no_other(self):
+    def test_the_table_has_every_scene_and_no_other(self):
         self.assertEqual(sorted(golden.read_table()), play.scene_names())
 
 

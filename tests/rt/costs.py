@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The dearest tick of a scene takes as many instructions as committed, within one percent, and no
-tick more than its bound: the sum of prices in tick_work.h. README.md here says what came of the bar
-of 1.15 for the dearest tick over the median of ticks with a needle in the tissue.
+"""The most expensive tick of a scene takes as many instructions as committed, within one percent,
+and no tick takes more than its bound: the sum of prices in tick_work.h. README.md here says what
+became of the bar of 1.15 for the most expensive tick over the median of ticks with a needle in the
+tissue.
 
 Runs the scene, then counts instructions under callgrind (which has no AVX-512, so: AVX2): ticks
 all along, ticks around every event, and those around the committed dearest one. --update counts
@@ -46,7 +47,7 @@ def call(words):
 
 
 def windows_of(ticks, last):
-    """FIRST:LAST words that cover the ticks, none twice."""
+    """Arguments FIRST:LAST that cover the ticks, each only once."""
     words, wanted = [], sorted({tick for tick in ticks if 0 <= tick < last})
     for tick in wanted:
         if words and words[-1][1] == tick:
@@ -135,7 +136,7 @@ def around(ticks):
 
 def chosen(scene, last, report):
     """(ticks to count, those of them that make the median)"""
-    if scene == WORST:  # seconds a tick; the last three in which something is still added
+    if scene == WORST:  # a tick takes seconds; the last three that still add particles
         return {17, 18, 19}, [18]
     even = sorted({i * (last - 1) // (SAMPLES - 1) for i in range(SAMPLES)})
     return around({event["tick"] for event in report["events"]}) | set(even), even

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The judge of costs, judged: a tick that is dearer or cheaper than committed, or beyond its bound,
-is noticed; and the committed costs fit together."""
+"""Tests the judge of costs: it notices a tick that is more or less expensive than committed, or
+beyond its bound; and the committed costs agree with each other."""
 import pathlib
 import re
 import sys

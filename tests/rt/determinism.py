@@ -17,12 +17,13 @@ import sys
 SANITIZED = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Wno-maybe-uninitialized"
 ROWS = {
     "fast": [("g++", "-O3"), ("g++", "-O2"), ("g++", "-O1"), ("g++", "-O0"), ("clang++", "-O2")],
-    # The whole kernel for newer processors, not the lattice alone; as one unit; and observed.
+    # The whole kernel for newer processors, not only the lattice; as one translation unit; and with
+    # coverage.
     "full": [("g++", "-O3"), ("g++", "-O3 -march=x86-64-v3"), ("g++", "-O3 -march=x86-64-v4"),
              ("g++", "-Os"), ("g++", "-O2 -flto"), ("g++", SANITIZED), ("clang++", "-O3"),
              ("clang++", "-O3 -march=x86-64-v3"), ("clang++", "-O3 -march=x86-64-v4")],
 }
-HELPERS = {"fast": (1, 2), "full": (3,)}  # none: every other row
+HELPERS = {"fast": (1, 2), "full": (3,)}  # every other row has none
 TICKS = "4500"  # one insertion with pause, pull and retraction, and the start of the next
 
 
@@ -34,7 +35,8 @@ def call(*command):
 
 
 def lacking(compiler, level):
-    """The compiler or instruction set this row needs and this machine has not; None: it can run."""
+    """The compiler or instruction set that this row needs and this machine lacks; None if it can
+    run."""
     if shutil.which(compiler) is None:
         return compiler
     has = pathlib.Path("/proc/cpuinfo").read_text().split()

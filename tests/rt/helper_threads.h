@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Threads that help a kernel with its tissue step, for tests: they yield where there is nothing to
+// Threads that help a kernel with its tissue step, for tests: they yield when there is nothing to
 // do.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace stylet::test {
 
-// Threads that help a kernel for as long as this lives.
+// Threads that help a kernel as long as this object lives.
 class Helpers {
  public:
   Helpers(const Kernel& kernel, std::uint32_t count) {

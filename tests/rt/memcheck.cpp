@@ -14,7 +14,7 @@ using namespace stylet::test;
 
 constexpr std::uint64_t kTicks = 1300;  // contact, puncture, the first particles
 
-// As make_block, but its content is not defined.
+// As make_block, but with undefined content.
 Block raw_block(std::size_t size) {
   Block block;
   block.bytes.reset(
@@ -40,7 +40,7 @@ bool embed(const Organ& organ, Setup setup) {
   const Script script = block_script(organ, config);
   for (std::uint64_t i = 0; i < kTicks; ++i) {
     const Output out = tick(kernel, scripted_input(script, i));
-    if (!(out.force_n.z > -1e6F && out.force_n.z < 1e6F)) return false;  // memcheck sees branches
+    if (!(out.force_n.z > -1e6F && out.force_n.z < 1e6F)) return false;  // so that memcheck notices
     if (i == kTicks / 2 && snapshot(kernel, saved) != Status::kOk) return false;
     if (i == kTicks / 2 + 9 && restore(kernel, saved) != Status::kOk) return false;
   }

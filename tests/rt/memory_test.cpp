@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel lives in the bytes it asked for: it uses all of them, none beside them, and what it
-// leaves in scratch never matters.
+// The kernel lives in the bytes it asked for: it uses all of them and no others, and what it leaves
+// in scratch never matters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ class Blocks : public testing::TestWithParam<Setup> {
 INSTANTIATE_TEST_SUITE_P(Modes, Blocks, testing::ValuesIn(kSetups),
                          [](const auto& instance) { return setup_name(instance.param); });
 
-// A block between two guards as large as its alignment, all filled with one byte.
+// A block between two guards as large as its alignment, everything filled with one byte.
 struct Guarded {
   Block whole;
   std::size_t size;
@@ -76,14 +76,14 @@ GuardedMemory make_guarded_memory(const Sizes& bytes, std::byte fill) {
           make_guarded(bytes.scratch_bytes, fill)};
 }
 
-// The last byte in which two runs over different fillings agree was written by both.
+// The last byte in which two runs with different fillings agree was written by both runs.
 std::size_t written_size(std::span<const std::byte> a, std::span<const std::byte> b) {
   std::size_t size = a.size();
   while (size > 0 && a[size - 1] != b[size - 1]) --size;
   return size;
 }
 
-TEST_P(Blocks, UsedAreWhatWasPredicted) {
+TEST_P(Blocks, AreUsedAsPredicted) {
   const Sizes bytes = sizes_of();
   constexpr std::byte kFills[2] = {std::byte{0xA5}, std::byte{0x5A}};
   std::array<GuardedMemory, 2> used = {make_guarded_memory(bytes, kFills[0]),
@@ -96,8 +96,8 @@ TEST_P(Blocks, UsedAreWhatWasPredicted) {
     EXPECT_TRUE(used[i].state.guards_hold(kFills[i]));
     EXPECT_TRUE(used[i].scratch.guards_hold(kFills[i]));
   }
-  // Nothing was asked for in vain: the last written byte is in the last line of each block. Scratch
-  // is as large as its pools, which a run need not fill.
+  // No memory was asked for in vain: the last written byte is in the last line of each block.
+  // Scratch is as large as its pools, which a run need not fill.
   const auto expect_filled = [](const char* name, const Guarded& a, const Guarded& b) {
     EXPECT_GT(written_size(a.inner(), b.inner()) + kBlockAlignment, a.size) << name;
   };
@@ -126,7 +126,7 @@ std::vector<Committed> committed_rows() {
   return rows;
 }
 
-// The row as predicted now: what belongs into the file if the change is meant.
+// The row as predicted now: it belongs in the file if the change is intended.
 std::string line_of(const Committed& row, const Sizes& now, std::size_t team) {
   std::ostringstream text;
   text << row.nx << ' ' << row.ny << ' ' << row.nz << ' ' << row.needles << ' ' << row.helpers
@@ -139,7 +139,7 @@ std::string line_of(const Committed& row) {
   return line_of(row, {row.model, row.state, row.scratch}, row.team);
 }
 
-// Returns the row as it is now.
+// Returns the present row.
 std::string expect_used(const Committed& row) {
   const auto opened =
       block_organ(static_cast<std::uint16_t>(row.nx), static_cast<std::uint16_t>(row.ny),
@@ -175,7 +175,7 @@ TEST(Memory, IsWhatIsCommitted) {
     committed += line_of(row) + '\n';
     now += expect_used(row) + '\n';
   }
-  // One failure, whose rows can be copied as they are.
+  // A single failure, whose rows can be copied into the file.
   if (now != committed) {
     FAIL() << "if the change is meant, these are the rows of " << STYLET_MEMORY_ROWS << ":\n"
            << now;
@@ -272,7 +272,7 @@ TEST_P(Blocks, SnapshotsContinueWithTheSameBits) {
   const std::uint64_t hash_saved = hash(original.kernel);
 
   Session copy = make_session(opened_->organ, GetParam());
-  run(copy.kernel, script_, 77, 1234);  // somewhere else first
+  run(copy.kernel, script_, 77, 1234);  // first moved to somewhere else
   EXPECT_NE(difference(original.kernel, copy.kernel).field, nullptr);
   ASSERT_EQ(restore(copy.kernel, saved.span()), Status::kOk);
   EXPECT_EQ(hash(copy.kernel), hash_saved);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A million ticks with a needle that goes in, pauses, is pulled and comes out again: no call of the
-// heap, no page fault, no system call. Each trap is also shown to fire.
+// A million ticks with a needle that goes in, pauses, is pulled and comes out again: no heap call,
+// no page fault, no system call. Each trap is also shown to fire.
 #include <gtest/gtest.h>
 #include <linux/seccomp.h>
 #include <sys/mman.h>
@@ -20,7 +20,8 @@
 namespace stylet::test {
 namespace {
 
-// Without optimisation a million ticks take minutes, and the promise is about what is shipped.
+// Without optimisation a million ticks take minutes, and the promise is about optimised builds,
+// which are shipped.
 #ifdef __OPTIMIZE__
 constexpr std::uint64_t kTicks = 1'000'000;
 #else
@@ -34,7 +35,7 @@ class MillionTicks : public testing::TestWithParam<Setup> {
   Script script_ = block_script(opened_->organ, config_);
   Session session_ = make_session(opened_->organ, GetParam());
 
-  // The script is no proof of anything unless the needle really went in and out.
+  // The script proves nothing unless the needle really went in and out.
   void expect_needle_was_busy() {
     const Stats seen = stats(session_.kernel);
     EXPECT_GE(seen.ticks, kTicks);
@@ -74,8 +75,7 @@ long page_faults() {
 }
 
 TEST_P(MillionTicks, CallNoHeapAndCauseNoPageFault) {
-  // As the loop does it: all memory locked where that is allowed, and once through the script
-  // before.
+  // As in the loop: all memory is locked if that is allowed, and the script has run once before.
   mlockall(MCL_CURRENT);
   run(session_.kernel, script_, 0, kCycleTicks);
   const long before = page_faults();
@@ -102,8 +102,8 @@ TEST(PageFaultCount, Counts) {
   munmap(fresh, kPages * page_bytes);
 }
 
-// Runs `body` in a child that may do nothing but read, write and exit; `body` returns what the
-// child writes to the parent. The result says how the child ended.
+// Runs `body` in a child process that may only read, write and exit; `body` returns what the child
+// writes to the parent. The result says how the child ended.
 struct ChildEnd {
   int status = 0;
   std::uint64_t value = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole insertions under LLVM's real-time sanitizer, which ends the program at any call that may
-// wait or allocate (several hundred functions of the C library). Its runtime stands alone: it is
-// linked as a whole into a program made by GCC, and switched on and off by hand.
+// wait or allocate (several hundred functions of the C library). Its runtime is used without the
+// compiler's part: it is linked as a whole into a program made by GCC, and switched on and off by
+// hand.
 //
 // usage: stylet_rtsan tick|heap|lock|file; the last three are what the sanitizer must stop.
 #include <fcntl.h>

@@ -24,7 +24,7 @@
 
 namespace stylet::test {
 
-// Bytes at an address that is a multiple of kBlockAlignment.
+// Memory at an address that is a multiple of kBlockAlignment.
 struct Block {
   struct Free {
     void operator()(std::byte* owned) const {
@@ -46,7 +46,7 @@ inline Block make_block(std::size_t size, std::byte fill = std::byte{0}) {
   return block;
 }
 
-// One organ, opened, with the bytes it looks into.
+// An opened organ with the bytes to which it refers.
 struct OpenOrgan {
   std::vector<std::byte> bytes;
   Organ organ;
@@ -163,9 +163,8 @@ inline void run(Kernel& kernel, const Script& script, std::uint64_t first_tick,
   }
 }
 
-// What the real-time tests run: both modes with a rigid needle; and all that a needle can be:
-// elastic, bevelled, in tissue that breathes, with bone in its way. The latter with added mass,
-// too.
+// What the real-time tests run: both modes with a rigid needle; and everything at once: an elastic,
+// bevelled needle in breathing tissue with bone in its way, with true mass and with added mass.
 enum class Setup { kPhysical, kPaper, kElastic, kAddedMass };
 constexpr Setup kSetups[] = {Setup::kPhysical, Setup::kPaper, Setup::kElastic, Setup::kAddedMass};
 

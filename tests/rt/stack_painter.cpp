@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much stack a tick really uses: a stack is filled with one byte, and after whole insertions it
-// is seen how deep that byte is gone. Prints one line for each setup and instruction set; exits
-// with 1 if the measurement does not find a frame of known size. toolchain/checks/stack.py compares
-// it with the bound.
+// is measured how deep that byte was overwritten. Prints one line for each setup and instruction
+// set; exits with 1 if the measurement does not find a frame of known size.
+// toolchain/checks/stack.py compares it with the bound.
 #include <ucontext.h>
 
 #include <algorithm>
@@ -32,8 +32,8 @@ void run_painted() {
   painted.body(painted.argument);
 }
 
-// Bytes of stack that `body` uses. A context of its own and not a thread, whose start and end use
-// more than a tick.
+// Bytes of stack that `body` uses. It runs in a context of its own and not in a thread, because
+// start and end of a thread use more than a tick.
 std::size_t stack_use(void (*body)(void*), void* argument) {
   const Block stack = make_block(kStackBytes, kPaint);
   painted.body = body;

@@ -63,7 +63,7 @@ TEST_P(TeamBits, AreThoseOfOneThreadForAnyNumberOfHelpers) {
   const std::uint64_t expected = hash_after(alone, script_);
   for (const std::uint32_t helpers : {1U, 2U}) {
     bool helped = false;
-    // On a busy machine the helpers may come too late: then once more.
+    // On a busy machine the helpers may come too late: then it is tried again.
     for (int attempt = 0; attempt < 20 && !helped; ++attempt) {
       Session shared = session();
       const Block memory = make_block(team_bytes(shared.kernel, helpers), std::byte{0xFF});
@@ -105,7 +105,7 @@ TEST(Team, MayComeAndGoBetweenTicks) {
   }
 }
 
-TEST(Team, UsesTheBytesItSaysAndNoOthers) {
+TEST(Team, UsesThePredictedBytesAndNoOthers) {
   const auto opened = block_organ(7, 6, 5);
   const Script script = block_script(opened->organ, config_of(Setup::kPhysical));
   constexpr std::size_t kGuard = 256;
@@ -122,7 +122,7 @@ TEST(Team, UsesTheBytesItSaysAndNoOthers) {
   }
 }
 
-TEST(Team, IsRefusedWithoutATrace) {
+TEST(Team, RefusalsChangeNothing) {
   const auto opened = block_organ(4, 4, 4);
   Session session = make_session(opened->organ, Setup::kPhysical);
   const std::size_t bytes = team_bytes(session.kernel, 2);
@@ -136,7 +136,7 @@ TEST(Team, IsRefusedWithoutATrace) {
   for (const std::byte byte : memory.span()) ASSERT_EQ(byte, std::byte{0xA5});
 }
 
-TEST(Team, SlabsOfHelpersWhoDoNotComeAreSweptByTheCaller) {
+TEST(Team, SlabsOfAbsentHelpersAreSweptByTheCaller) {
   const auto opened = block_organ(10, 10, 10);
   for (const std::uint32_t helpers : {1U, 3U}) {
     Session session = make_session(opened->organ, Setup::kPhysical);
@@ -155,7 +155,7 @@ TEST(Team, SlabsOfHelpersWhoDoNotComeAreSweptByTheCaller) {
   }
 }
 
-TEST(Team, HelpsOnlyWithWhatIsBegunAndFarFromDone) {
+TEST(Team, HelpsOnlyWithSlabsThatAreBegunAndFarFromDone) {
   Slab slab = {};
   slab.begin = 5;
   slab.end = 15;
@@ -172,8 +172,8 @@ TEST(Team, HelpsOnlyWithWhatIsBegunAndFarFromDone) {
 }
 
 // Takes all parts but the caller's slab at once, and sweeps only a few planes of its own slab, as a
-// thread does that is held up; then it helps with the others, as another thread would. So it is the
-// same each time which thread does what, in which order.
+// thread that is held up; then it helps with the others, as another thread would. So the same parts
+// are done by the same threads in the same order each time.
 class HeldUp {
  public:
   explicit HeldUp(const Kernel& kernel)
@@ -191,7 +191,7 @@ class HeldUp {
  private:
   void sweep(const Kernel& kernel) {
     std::uint32_t work = team_.work.load();
-    if (work % 256 != 1) return;  // the caller has its slab, and nobody the others
+    if (work % 256 != 1) return;  // the caller has taken its slab, and nobody the others
     if (!team_.work.compare_exchange_strong(work, work + 3)) return;
     Slab& slab = team_.slab[1];
     const std::uint32_t after_first = slab.end - slab.begin - 1;
@@ -221,7 +221,7 @@ TEST(Team, BitsAreTheSameWhenSlabsAreSweptInTwoParts) {
     const Block memory = make_block(team_bytes(shared.kernel, 1));
     ASSERT_EQ(set_team(shared.kernel, 1, memory.span()), Status::kOk);
     const HeldUp helper(shared.kernel);
-    // Until it has come often enough: other programs may hold it up, too.
+    // Repeats until the helper has come often enough: other programs may hold it up, too.
     std::uint64_t ticks = 0;
     for (; ticks < kTicks || (helper.steps() < 50 && ticks < 100'000); ticks += 100) {
       run(shared.kernel, script, ticks, 100);

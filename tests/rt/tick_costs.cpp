@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counts the instructions of chosen ticks of a recording, or of the worst case (worst_case.h). It
-// is run twice with the same arguments. By itself it plays and saves the state before each window.
-// Under callgrind it starts from those states and leaves, for each tick, a dump of costs of nothing
-// but the tick, and what the tick may cost by tick_work.h. costs.py does both.
+// is run twice with the same arguments. The first time, by itself, it plays and saves the state
+// before each window. The second time, under callgrind, it starts from those states and leaves, for
+// each tick, a dump of the costs of this tick alone, and what the tick may cost by tick_work.h.
+// costs.py does both.
 //
 // usage: stylet_tick_costs RECORDING|worst FOLDER FIRST:LAST...   ticks FIRST to LAST - 1, rising
 #include <valgrind/callgrind.h>
@@ -45,7 +46,7 @@ Window window_of(const std::string& text) {
   return {std::stoull(text), std::stoull(text.substr(colon + 1))};
 }
 
-// A kernel and what its needles do.
+// A kernel and the motion of its needles.
 struct Player {
   std::unique_ptr<hal::KernelInstance> instance;
   std::vector<Input> inputs;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick has to do, counted from outside, and the most instructions that this may take with
-// AVX2.
+// The amount of work in a tick, counted from outside, and the most instructions that it may take
+// with AVX2.
 //
-// The bound is a sum of amounts times prices. The kernel's limits bound the amounts, so that the
-// bound has a largest value for any organ. Prices are what callgrind counted, rounded up;
-// rt.costs.* compare ticks of every scene, of the worst case and of random sessions with their
-// bounds (tests/rt/README.md). Promise: no allocation. Amounts are counted after the tick; what it
-// added, by comparison with what there was before.
+// The bound is a sum of amounts times prices. The kernel's limits bound the amounts, so the bound
+// has a largest value for any organ. Prices are what callgrind counted, rounded up; rt.costs.*
+// compare ticks of every scene, of the worst case and of random sessions with their bounds
+// (tests/rt/README.md). Promise: no allocation. Amounts are counted after the tick; what the tick
+// added, by comparison with the state before it.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ struct Price {
   const char* of;
   std::uint64_t instructions;
 };
-// The prices of the filter are the least, in the mean, that bound the passes of 120 bodies drawn at
-// random (solid, with holes, round, in slices; 0 to 7 passes), rounded up; that of its ties is a
+// The prices of the filter are the smallest, on average, that bound the passes of 120 random bodies
+// (solid, with holes, round, in slices; 0 to 7 passes), rounded up; the price of its ties is a
 // guess.
 constexpr Price kPrices[] = {
     {"tick", 4000},
@@ -52,7 +52,7 @@ constexpr Price kPrices[] = {
     {"load on an elastic needle", 300},
     {"search of the surface by a needle outside", 140000},  // all triangles and visits of limits.h
     {"rod and obstacle", 110},
-    {"rod near an obstacle", 6300},  // 290 of them where the list of touches is full
+    {"rod near an obstacle", 6300},  // 290 of these instructions if the list of touches is full
     {"vertex of an obstacle with a rod near", 371},
 };
 enum Amount : std::uint32_t {  // in the order of the prices
@@ -86,8 +86,8 @@ enum Amount : std::uint32_t {  // in the order of the prices
 static_assert(std::size(kPrices) == kAmounts);
 using Amounts = std::array<std::uint64_t, kAmounts>;
 
-// What the worst case (worst_case.h) takes: costs.txt. No other tick may have a bound beyond it.
-// (Its tissue has added mass: with true mass the passes of the filter would be added.)
+// Instructions of the worst case (worst_case.h), as in costs.txt. No other tick may have a larger
+// bound. (Its tissue has added mass: with true mass the passes of the filter would be added.)
 constexpr std::uint64_t kDearestTick = 945818977;
 
 inline std::uint64_t bound_of(const Amounts& amount) {
@@ -99,14 +99,15 @@ inline std::uint64_t bound_of(const Amounts& amount) {
 struct TickWork {
   Amounts amount{};
   std::array<std::uint32_t, kMaxNeedles> particles_before{};
-  std::array<bool, kMaxNeedles> looked_before{};  // was not in the tissue
+  std::array<bool, kMaxNeedles> looked_before{};  // the needle was not in the tissue
 };
 
 inline bool bends(const NeedleConfig& config) {
   return config.bending_nm2 > 0 || config.bent_angle_rad > 0;
 }
 
-// As in the kernel's own first look: the piece's axis within the body's bounding sphere, enlarged.
+// As in the kernel's own first look: whether the piece's axis is within the body's enlarged
+// bounding sphere.
 inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
   const Vec3 centre =
       body.config.pose.position_m + rotation_matrix(body.config.pose.rotation) * body.centre_m;
@@ -118,8 +119,8 @@ inline bool is_near(const Obstacle& body, Vec3 a, Vec3 b, float radius_m) {
   return dot(left, left) <= limit * limit;
 }
 
-// An elastic needle looks for obstacles between where the hand has carried it and where it ends,
-// not far from there, and once more each time that it answers the tissue.
+// An elastic needle looks for obstacles between where the hand has carried it and where it comes to
+// lie, which is not far from there; and once more each time that it bends against the tissue.
 inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, std::uint32_t answers,
                           Amounts& amount) {
   constexpr float kReachM = 2e-3F, kBendM = 5e-3F;
@@ -141,8 +142,8 @@ inline void add_obstacles(const View& view, std::uint32_t rods, Vec3 shift, std:
   }
 }
 
-// How often an elastic needle bends against the tissue, besides the bend by which it is placed. A
-// needle that has let go in this tick may have done so in the first of two bends.
+// How often an elastic needle bends against the tissue, besides the bend when it is placed. A
+// needle that has let go of tissue in this tick may have done so in the first of two bends.
 inline std::uint32_t answers_of(const NeedleState& own, bool was_held) {
   if (own.tip_alive == 0) return was_held ? 1 : 0;
   return own.phase == Phase::kContact ? 2 : 1;
@@ -157,8 +158,8 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   amount[kAdded] += particles > before ? particles - before : 0;
   amount[kParticles] += particles;
   before = particles;
-  // A free tip looks for tissue, and a tip that leaves its contact for the tissue in which it then
-  // lies.
+  // A free tip looks for tissue; a tip that leaves its contact looks for the tissue in which it
+  // then lies.
   const bool looks = own.phase == Phase::kFree || own.phase == Phase::kContact;
   const bool looked = std::exchange(work.looked_before[view.state.needle_index], looks);
   if (own.handle_known == 0) return;
@@ -167,8 +168,8 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   if (looks || looked || own.tip_alive == 0) ++amount[kSearches];
   const std::uint32_t rods = view.model.rod->rods;
   if (bends(view.model.needle_config())) {
-    // Beside bodies each look takes three times the Newton steps, and as much as two solves for the
-    // lengths that are tried.
+    // Near bodies each look takes three times the Newton steps, plus as much as two solves for the
+    // step lengths that are tried.
     const bool bodies = view.model.head->obstacle_count > 0;
     const std::uint32_t first = bodies ? 5 * kRodFaceLooks : 1, second = bodies ? 5 : 1;
     const std::uint32_t bends = first + answers * second;
@@ -179,7 +180,7 @@ inline void add_needle(const View& view, Vec3 shift, TickWork& work) {
   add_obstacles(view, rods, shift, answers, amount);
 }
 
-// How often the fits take a constraint particle of each voxel of a group.
+// How often matches include a constraint particle, one for each voxel of a group.
 inline std::uint32_t passes_of(const View& view) {
   const std::uint32_t groups = (view.scratch.head->coupled_count + kLanes - 1) / kLanes;
   std::uint32_t passes = 0;
@@ -187,7 +188,7 @@ inline std::uint32_t passes_of(const View& view) {
   return passes;
 }
 
-// The motion of particles counts as a pass, and so does what springs add to their masses.
+// The motion of particles counts as a pass, and so does the mass that springs add.
 inline void add_filter(const View& view, Amounts& amount) {
   const ModelHead& head = *view.model.head;
   if (!has_true_mass(view.model)) return;
@@ -198,7 +199,7 @@ inline void add_filter(const View& view, Amounts& amount) {
   amount[kFilteredTies] = passes * head.counts.ties;
 }
 
-// After each tick.
+// To be called after each tick.
 inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   View view = view_of(kernel);
   const ModelHead& head = *view.model.head;
@@ -206,7 +207,7 @@ inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   work.amount = {};
   Amounts& amount = work.amount;
   amount[kTicks] = 1;
-  if (view.state.head->latched_fault != 0) return;  // nothing is computed any more
+  if (view.state.head->latched_fault != 0) return;  // after a fault nothing is computed
   amount[kSlots] = substeps * head.counts.slots;
   amount[kNodes] = substeps * head.counts.particles;
   amount[kRows] = substeps * head.counts.rows;

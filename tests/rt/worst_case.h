@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The most expensive tick there can be, apart from the number of voxels: every pool of limits.h is
-// full at once.
+// The most expensive possible tick, apart from the number of voxels: every pool of limits.h is full
+// at once.
 //
 // Four elastic needles of kMaxRods rods go down as fast as a hand may, with kMaxDropsPerTick new
 // constraint particles a tick and needle, until each has kMaxConstraintParticles of them and as
@@ -19,7 +19,7 @@
 
 namespace stylet::test {
 
-// Voxels and needle units are as long as an eighth of the way of a tick.
+// Voxels and needle units are an eighth as long as the way of a tick.
 constexpr float kWorstEdgeM = 0.6e-3F;
 constexpr std::uint64_t kWorstTicks = 24;
 
@@ -48,7 +48,7 @@ inline std::unique_ptr<OpenOrgan> worst_organ() {
 
 inline Config worst_config() {
   Config config;
-  config.inertia = Inertia::kAddedMass;  // with which the tissue is dragged where pools are full
+  config.inertia = Inertia::kAddedMass;  // with it tissue is dragged along while pools are full
   config.substeps = kMaxSubsteps;
   config.needle_count = kMaxNeedles;
   config.breathing = {{1e-5F, 0, 0}, 2};

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kOutsideM = 3e-3;  // where a tip begins and ends
 
-// Force of a flat punch as wide as the needle, pressed so deep into this material: Sneddon 1965.
+// Force of a flat punch as wide as the needle, pressed into this material to the given depth:
+// Sneddon 1965.
 float punch_n(const TinyMaterial& m, float radius_m, float depth_m) {
   return 2 * radius_m * m.youngs_modulus_pa / (1 - m.poisson_ratio * m.poisson_ratio) * depth_m;
 }
@@ -35,7 +36,8 @@ TinyMaterial draw_material(Draw& draw, float radius_m) {
   return m;
 }
 
-// Faces between layers do not lie between voxels: each voxel just below one has a plane in it.
+// Boundaries of layers do not lie between voxels: each voxel just below a boundary has a plane in
+// it.
 void tilt_faces(Draw& draw, std::uint32_t layers, TinyOrgan& tiny) {
   const float tilt = draw.between(-0.3, 0.3);
   std::uint32_t voxel = 0;
@@ -76,10 +78,10 @@ std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, Kind kind, float radius_m) {
     } else {
       tilt_faces(draw, layers, tiny);
     }
-    if (tiny.inside) tiny.fixed_faces |= kLowX | kHighX;  // else the upper one hangs in the air
+    if (tiny.inside) tiny.fixed_faces |= kLowX | kHighX;  // to hold the upper one
   }
   TinyMaterial& top = tiny.materials.back();
-  if (kind == Kind::kSurface) top.puncture_force_n *= 10;  // it holds whatever comes
+  if (kind == Kind::kSurface) top.puncture_force_n *= 10;  // the surface withstands any force
   if (draw.chance(0.4)) top.membrane_n_per_m = draw.magnitude(50, 1000);
   return open_organ(tiny_organ(tiny));
 }
@@ -107,7 +109,7 @@ class Way {
  public:
   Way(Draw& draw, double start_s) : draw_(draw) { moves_.push_back({place_, start_s, {}, false}); }
 
-  // Moves on by as far as that, at a speed that is drawn.
+  // Moves on by this way, at a random speed.
   void go(Vec3 to_m) {
     const Vec3 step = to_m - place_;
     const double speed = static_cast<double>(draw_.magnitude(15e-3, 60e-3));
@@ -120,7 +122,7 @@ class Way {
     moves_.push_back({place_, static_cast<double>(draw_.between(low_s, high_s)), {}, true});
   }
   void swing(Vec3 by_m) { moves_.push_back({place_, 2 / kSwingHz, by_m, false}); }
-  // Aside and back to the middle.
+  // Moves aside and back to the middle.
   void step_aside() {
     go({draw_.between(-2e-3, 2e-3), draw_.between(-2e-3, 2e-3), place_.z});
     rest(0.2, 0.3);
@@ -135,7 +137,7 @@ class Way {
   std::vector<Move> moves_;
 };
 
-// `deep_m` is the depth at which it stays for most of the time, `deeper_m` the largest depth.
+// `deep_m` is the depth for most of the time, `deeper_m` the largest depth.
 std::vector<Move> draw_moves(Draw& draw, double start_s, float deep_m, float deeper_m) {
   constexpr float kSwingM = 1e-3F;
   Way way(draw, start_s);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays drawn scenes and says what the hands feel, for toolchain/sensitivity.py, which plays them
-// with one constant of the kernel changed.
+// Plays random scenes and prints what the hands feel, for toolchain/sensitivity.py, which plays
+// them with one constant of the kernel changed.
 //
 // stylet-sensitivity [--first N] [--scenes N] [--deeper METRES] [--parts N]
 //
@@ -26,7 +26,7 @@ namespace stylet::test {
 namespace {
 
 constexpr double kTickS = 1e-3, kWindowS = 0.05;
-constexpr int kTicksPerBalance = 50;  // of energy, which takes a look at every voxel
+constexpr int kTicksPerBalance = 50;  // of energy, for which every voxel is read
 
 struct Options {
   std::uint64_t first = 0, scenes = kKinds;
@@ -35,9 +35,9 @@ struct Options {
 };
 
 struct Felt {
-  std::vector<Vec3> window_n;  // of all hands, one after the other, in turn
+  std::vector<Vec3> window_n;  // of all hands in turn
   double tremble_n = 0;        // largest change of force in a millisecond of a judged rest
-  double least_j = 0;          // of what the hands have put in, less what is stored
+  double least_j = 0;          // least work of the hands less what is stored
   double most_stored_j = 0, left_j = 0;
   bool finite = true, unstable = false, held = false;
   std::uint64_t hash = 0;
@@ -47,7 +47,7 @@ double length(Vec3 v) {
   return norm(to_double(v));
 }
 
-// What an elastic needle stores is left out: it is not below zero.
+// The energy of an elastic needle is left out: it is never below zero.
 void balance(const Kernel& kernel, Felt& felt) {
   const Energy e = energy(kernel);
   const double stored_j = e.elastic + e.kinetic + e.coupling;

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Ticks of random sessions take no more instructions than their bounds (tests/rt/tick_work.h), and
-none as many as the worst case (tests/rt/costs.txt).
+"""No tick of random sessions takes more instructions than its bound (tests/rt/tick_work.h), or as
+many as the worst case (tests/rt/costs.txt).
 
 usage: costs.py REPOSITORY STYLET_SESSION_COSTS SEED COUNT
 """

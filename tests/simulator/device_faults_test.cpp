@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device fails for good, in every way it can, at every tick of an insertion: 25 ms of virtual
-// time later the force is zero, it falls all the way there, and the fault has its name.
+// time later the force is zero, on the way it only falls, and the fault has the right name.
 //
-// One good session is advanced tick by tick. Before each tick everything is copied, the copy meets
+// One good session is advanced tick by tick. Before each tick everything is copied, the copy has
 // the fault, and the session goes on from where it was.
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ double size(Vec3 v) {
   return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
 }
 
-// What the loop sees from the tick of the fault on. `good` is the sample that the device would have
-// given.
+// What the loop sees from the tick of the fault onwards. `good` is the sample that the device would
+// have given.
 struct Failure {
   const char* name;
   Fault latched;
@@ -80,7 +80,7 @@ std::vector<Failure> failures() {
                    good.pose.position_m.z += 6e-9F * static_cast<float>(good.t_ns - last.t_ns);
                    return true;
                  }});
-  // Not a fault, but to be answered as soon: the hand lets go of the dead man's button.
+  // Not a fault, but to be answered as fast: the hand releases the dead man's button.
   all.push_back({"button released", Fault::kNone, [](const Sample&, Sample& good) {
                    good.buttons = 0;
                    return true;
@@ -91,7 +91,7 @@ std::vector<Failure> failures() {
   return all;
 }
 
-// The simulated hand until the fault, the failure from then on.
+// The simulated hand until the fault; from then on the failure.
 struct FailingDevice {
   SimulatedHand* hand;
   const Failure* failure = nullptr;  // none yet
@@ -219,7 +219,7 @@ void fail_everywhere(float period_s, std::uint64_t stride) {
   EXPECT_GT(largest_n, 0.2) << "there was a force to take away";
 }
 
-TEST(DeviceFaults, EveryKindNowAndThen) {
+TEST(DeviceFaults, EveryKindAtSomeTicks) {
   fail_everywhere(1e-3F, 16);
   fail_everywhere(0.25e-3F, 64);
 }

@@ -9,7 +9,7 @@
 namespace stylet::test {
 namespace {
 
-// So that procedures are other sessions than random ones of the same seed.
+// Makes sessions of procedures differ from random ones of the same seed.
 constexpr std::uint64_t kProcedures = 1ULL << 48U;
 constexpr std::uint64_t kStiffening = 1ULL << 49U;
 
@@ -115,7 +115,7 @@ std::vector<ObstacleConfig> draw_obstacles(Draw& draw, const Organ& organ) {
   return obstacles;
 }
 
-// In and out and sideways, at anything from a crawl to a jerk; at the end outside.
+// In and out and sideways, at any speed from a crawl to a jerk; at the end the needle is outside.
 std::vector<hal::Waypoint> draw_waypoints(Draw& draw, float thickness_m, double fastest) {
   std::vector<hal::Waypoint> points(2 + draw.below(5));
   for (hal::Waypoint& each : points) {
@@ -158,7 +158,7 @@ HandPlan draw_hand(Draw& draw, const Organ& organ, const Config& config, float l
   return plan;
 }
 
-// The further limits of the guard, from a seed of their own.
+// The guard's other limits, from a seed of their own.
 void draw_nets(Draw draw, bool gentle, HandPlan& plan) {
   hal::GuardConfig& guard = plan.guard;
   guard.continuous_force_n = guard.max_force_n * draw.magnitude(0.2, 1);
@@ -171,8 +171,8 @@ void draw_nets(Draw draw, bool gentle, HandPlan& plan) {
   plan.release_share = static_cast<double>(draw.magnitude(1e-4, 1e-2));
 }
 
-// In, and rest; sideways and back; deeper, as far as where bone may be; some way back, and out.
-// During each rest it is seen what relaxes and creeps.
+// In, and rest; sideways and back; deeper, to where bone may be; some way back, and out. The rests
+// show relaxation and creep.
 std::vector<hal::Waypoint> draw_steps(Draw& draw, float thickness_m, double fastest) {
   std::vector<hal::Waypoint> points;
   float deep_m = thickness_m * draw.between(0.3, 0.7), right_m = 0, up_m = 0;
@@ -203,8 +203,8 @@ std::vector<hal::Waypoint> draw_steps(Draw& draw, float thickness_m, double fast
   return points;
 }
 
-// A sphere or a turned box on the needle's way, seldom with its middle on it; the way may also miss
-// it.
+// A sphere or a turned box on the needle's way, rarely with its middle on it; the needle may also
+// miss it.
 ObstacleConfig draw_bone(Draw& draw, const HandPlan& plan, float length_m, float thickness_m) {
   ObstacleConfig bone;
   const float size_m = draw.magnitude(1.5e-3, 8e-3);
@@ -270,7 +270,7 @@ Scenario draw_procedure(std::uint64_t seed, bool stiffening) {
   scenario.gentle = draw.chance(0.6);
   for (std::uint32_t i = 0; i < scenario.config.needle_count; ++i) {
     NeedleConfig& needle = scenario.config.needle[i];
-    needle.length_m = std::max(needle.length_m, thickness_m + 0.05F);  // goes in, and is held
+    needle.length_m = std::max(needle.length_m, thickness_m + 0.05F);  // to be held outside
     needle.unit_m = std::min(needle.unit_m, organ.voxel_edge_m);
     if (needle.bending_nm2 > 0) needle.bending_nm2 = draw.magnitude(5e-4, 4e-2);  // 25G and thicker
     HandPlan plan = draw_hand(draw, organ, scenario.config, needle.length_m, scenario.gentle);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole session drawn from a seed: organ, materials, needles, obstacles, breathing, hands and
-// what goes wrong with their devices.
+// A whole random session, given by a seed: organ, materials, needles, obstacles, breathing, hands
+// and what goes wrong with their devices.
 //
-// Promise: the same seed gives the same scenario. Ranges are wider than any anatomy or needle, but
-// each is one that organ_open, create and the scene reader accept.
+// Promise: the same seed gives the same scenario. Ranges are wider than those of any anatomy or
+// needle, but organ_open, create and the scene reader accept all of them.
 // Units: SI. Frame: world; needles come from +z.
 #pragma once
 
@@ -28,12 +28,12 @@ struct HandPlan {
   std::vector<hal::Waypoint> waypoints;
   float start_m = 0;         // tip outside the surface
   Vec3 turn_per_s = {};      // of the handle, as the vector part of a quaternion
-  double bad_share = 0;      // of samples that are spoiled
-  double release_share = 0;  // of samples in which the dead man's button is released, if held
+  double bad_share = 0;      // fraction of samples that are spoiled
+  double release_share = 0;  // fraction of samples that release the dead man's button
   double dead_from_s = 1e9;  // the device is silent from here on
 };
 
-// The fastest of a gentle hand: a person who takes care.
+// Largest speeds of a gentle hand: a person who takes care.
 constexpr double kGentleMPerS = 0.02;
 
 struct Scenario {
@@ -43,14 +43,14 @@ struct Scenario {
   Config config;
   std::vector<ObstacleConfig> obstacles;
   std::vector<HandPlan> hands;
-  double late_share = 0;  // of ticks that the loop wakes up too late for
+  double late_share = 0;  // fraction of ticks for which the loop wakes up too late
   std::uint64_t ticks = 0;
 };
 
 // `stiffening`: of tissues that stiffen with their strain.
 Scenario draw_scenario(std::uint64_t seed, bool stiffening = false);
-// What a hand does on purpose: every needle goes in, rests, moves sideways and back, goes deeper,
-// more often than not towards bone on its way, and comes out.
+// What a hand does on purpose: every needle goes in, rests, moves sideways and back, goes deeper
+// (more often than not towards bone) and comes out.
 Scenario draw_procedure(std::uint64_t seed, bool stiffening = false);
 
 }  // namespace stylet::test

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counts the instructions of some ticks of random sessions, among them the one that may cost most.
-// It is run twice with the same arguments. By itself it plays the sessions and saves the state
-// before each of those ticks. Under callgrind it starts from those states and leaves a dump of
-// costs for each tick, with what the tick may cost by tick_work.h. costs.py here does both.
+// It is run twice with the same arguments. The first time, by itself, it plays the sessions and
+// saves the state before each of those ticks. The second time, under callgrind, it starts from
+// those states and leaves a dump of costs for each tick, with what the tick may cost by
+// tick_work.h. costs.py here does both.
 //
 // usage: stylet_session_costs FOLDER SEED COUNT
 #include <valgrind/callgrind.h>
@@ -19,7 +20,7 @@
 namespace stylet::test {
 namespace {
 
-constexpr std::uint64_t kSamples = 10;  // of a session, evenly, and ticks around the dearest
+constexpr std::uint64_t kSamples = 10;  // of a session, and ticks around the dearest
 
 // A session's file: for each tick the snapshot before it and the inputs of all needles.
 struct Saved {

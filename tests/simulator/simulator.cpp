@@ -23,20 +23,21 @@ namespace {
 
 using hal::TickRecord;
 
-// Withdrawing at the end: along the needle, at this speed, this far at first.
+// At the end needles are withdrawn along their axis, at this speed, at first by this much.
 constexpr double kLeaveMPerS = 0.2;
 constexpr double kLeaveM = 0.12;
-// A thin organ of 2 kPa whose masses are scaled for stiffer layers needs 3.2 s for each factor e.
+// A thin organ of 2 kPa whose masses are scaled for stiffer layers needs 3.2 s for each factor of
+// e.
 constexpr double kLongestRestS = 60;
 constexpr double kAtRestM = 1e-6;
 constexpr double kZeroForceS = 25e-3;
-// After a tick whose energy is not known, the observer begins again once so many ticks have passed
-// without another such one: bent needles swing back meanwhile, and voxels that were inside out turn
+// After a tick whose energy is not known, the observer begins again when so many ticks have passed
+// without another one: meanwhile bent needles swing back, and voxels that were inside out turn
 // back. A choice, not measured.
 constexpr std::uint64_t kLostTicks = 100;
-// A needle that moves less than this in a tick passes no body unseen: the kernel looks so far for
-// bodies (coupling/touches.h). On a longer way it is looked at in steps of half the radius of the
-// smallest body that is drawn (scenario.cpp).
+// A needle that moves less than this in a tick passes no body unseen: the kernel looks that far for
+// bodies (coupling/touches.h). A longer way is checked in steps of half the radius of the smallest
+// body (scenario.cpp).
 constexpr double kLookedAtM = 2e-3, kWayStepM = 0.5e-3;
 
 double square_sum(Vec3 a, Vec3 b) {
@@ -55,7 +56,7 @@ double dot_double(Vec3 a, Vec3 b) {
 // ---- the devices
 // -----------------------------------------------------------------------------------
 
-// The simulated hand, turned, spoiled, and at the end withdrawn.
+// The simulated hand, with turns and spoiled samples, and withdrawn at the end.
 struct Player {
   const HandPlan* plan = nullptr;
   hal::SimulatedHand hand;
@@ -114,7 +115,7 @@ void turn(Player& player, hal::Sample& sample) {
                           static_cast<float>(player.turn[2] / size)};
 }
 
-// A dead man's button, where there is one, is let go and soon pressed again.
+// A dead man's button, if there is one, is released and soon pressed again.
 void press(Player& player, hal::Sample& sample) {
   const std::int32_t number = player.plan->guard.dead_man_button;
   if (number < 0) return;
@@ -168,13 +169,13 @@ struct Base {
 struct Observer {
   std::array<Base, kMaxNeedles> last{};
   std::array<bool, kMaxNeedles> known{};
-  double stored_before_j = 0;  // what was stored when it began
+  double stored_before_j = 0;  // what was stored when the observer began
   double work_j = 0, slack_j = 0, least_j = 0;
-  std::uint64_t begin_tick = 0;  // not before
+  std::uint64_t begin_tick = 0;  // it does not begin before this tick
   bool on = false;
 };
 
-// Shift of the attachments at the tick the kernel is at.
+// Shift of the attachments at the kernel's present tick.
 Vec3 shift_of(const Kernel& kernel) {
   const View view = view_of(kernel);
   return attachment_shift(view.model, view.state);
@@ -189,7 +190,7 @@ double length(Vec3 v) {
   return std::sqrt(square_sum(v, {}));
 }
 
-// How far the mean of two wrenches may be from the mean along the way between them.
+// How much the mean of two wrenches may differ from the mean along the way between them.
 double slack_of(const Base& last, const Base& now, Vec3 step, Vec3 turn) {
   return 0.5 * (std::sqrt(square_sum(now.force_n, last.force_n)) * length(step) +
                 std::sqrt(square_sum(now.torque_nm, last.torque_nm)) * length(turn) +
@@ -209,7 +210,7 @@ void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output
                  turn = turned_by(last.rotation, now.rotation);
       observer.work_j -= 0.5 * (dot_double(now.force_n, step) + dot_double(last.force_n, step) +
                                 dot_double(now.torque_nm, turn) + dot_double(last.torque_nm, turn));
-      // Obstacles go the other way in that frame, and push.
+      // In that frame obstacles move the other way, and push.
       observer.work_j -=
           0.5 * dot_double(now.obstacle_n + last.obstacle_n, now.shift_m - last.shift_m);
       observer.slack_j += slack_of(last, now, step, turn);
@@ -219,7 +220,7 @@ void watch_work(Observer& observer, const Kernel& kernel, std::span<const Output
   }
 }
 
-// From what is stored now; where the needles are and what they feel is known.
+// The observer begins again from what is stored now; the needles' poses and forces are known.
 void begin_anew(Observer& observer, double stored_j) {
   observer.stored_before_j = stored_j;
   observer.work_j = observer.slack_j = 0;
@@ -238,8 +239,8 @@ struct Simulation {
   const Tamper& tamper;
   const Meter& meter;
   Session session;
-  Session copy;                  // for the meter, if there is one
-  std::vector<std::byte> saved;  // the state before a tick it wants; else empty
+  Session copy;                  // for the counter of instructions, if there is one
+  std::vector<std::byte> saved;  // the state before a wanted tick; otherwise empty
   hal::LoopConfig config;
   hal::LoopState state;
   hal::Ring<TickRecord> records{2 * kMaxNeedles};
@@ -253,7 +254,7 @@ struct Simulation {
   std::array<std::uint32_t, kMaxNeedles> ticks_since_fault{}, blind_ticks{}, released_ticks{};
   std::array<double, kMaxNeedles> heat_n2{};
   std::array<std::vector<Vec3>, kMaxNeedles> nodes_m;  // after the last tick, in the world
-  std::int64_t tick_ns = 0, passed_ns = 0;  // of the newest tick, and since the one before
+  std::int64_t tick_ns = 0, passed_ns = 0;             // of the newest tick; since the one before
 
   std::uint32_t needles() const { return scenario.config.needle_count; }
 };
@@ -263,8 +264,8 @@ const char* broken_force(Simulation& s, std::uint32_t needle, const TickRecord& 
   const double force = std::sqrt(square_sum(record.command_n, {}));
   const double change = std::sqrt(square_sum(record.command_n, s.command_n[needle]));
   const double period_s = static_cast<double>(guard.period_s);
-  // Ticks may be lost. A fade goes on with the time that passes; all other changes go on by no more
-  // than a period.
+  // Ticks may be lost. A fade goes on by the time that passes; all other changes go on by at most a
+  // period.
   const double passed_s = std::max(static_cast<double>(s.passed_ns) * 1e-9, period_s);
   const bool ramps = record.mode == hal::GuardMode::kRamp || record.mode == hal::GuardMode::kLive;
   const double most_s = ramps ? period_s : passed_s;
@@ -304,8 +305,8 @@ void note_use(Simulation& s, std::span<const Output> outputs) {
   s.verdict.busiest_tick = outputs[0].tick;
 }
 
-// Whether the corners of a voxel are turned inside out. Such a voxel has no nearest rotation to
-// follow: from then on its energy is a different one in every substep.
+// Whether the corners of a voxel are turned inside out. Such a voxel has no nearest rotation: from
+// then on its energy is different in every substep.
 bool turned_over(const Corners& corners) {
   const float* g = corners.gradient;
   const Vec3 x = {1 + g[0], g[3], g[6]}, y = {g[1], 1 + g[4], g[7]}, z = {g[2], g[5], 1 + g[8]};
@@ -324,7 +325,7 @@ bool inside_out(const Kernel& kernel) {
   return false;
 }
 
-// Energy in the touches of a needle with obstacles: where it presses, and where it sticks.
+// Energy in a needle's contacts with obstacles: in those that press and those that stick.
 double touch_energy(const View& view) {
   double sum = 0;
   for (std::uint32_t i = 0; i < view.state.needle->touch_count; ++i) {
@@ -352,8 +353,8 @@ float depth_m(const View& view, std::uint32_t body, Vec3 a_m, Vec3 b_m) {
   return std::max(-gap_of(view.model.obstacle[body], piece).separation_m, 0.0F);
 }
 
-// How deep a piece was in a body on its straight way, looked at in so many steps, if it was deeper
-// there than at both ends; else nothing.
+// How deep a piece was inside a body on its straight way, in so many steps, if that was deeper than
+// at both ends; otherwise nothing.
 double passed_depth_m(const View& view, std::uint32_t body, const Vec3* before_m, const Vec3* now_m,
                       std::uint32_t steps) {
   const float ends_m = std::max(depth_m(view, body, before_m[0], before_m[1]),
@@ -368,7 +369,7 @@ double passed_depth_m(const View& view, std::uint32_t body, const Vec3* before_m
   return deepest_m > ends_m ? static_cast<double>(deepest_m) : 0;
 }
 
-// The most by which a body's force on a piece that is so deep on the way may differ from its force
+// The largest difference between a body's force on a piece at this depth on the way and its force
 // at the ends, where the piece is less deep; times the way.
 double passed_slack_j(const ObstacleConfig& body, double depth_m, double way_m) {
   const double pressed_n = stylet::press(static_cast<double>(body.stiffness_n_per_m),
@@ -397,9 +398,8 @@ double passed_slack_j(const View& view, std::span<const Vec3> before_m,
   return sum_j;
 }
 
-// For needles that a hand has thrown through a body in a tick, or on the way deeper into it than
-// they are at either end: what pushed them on the way does not lie between the wrenches at the
-// ends.
+// For needles that a hand has thrown through a body in a tick, or that were deeper inside it on the
+// way than at either end: the force on the way does not lie between the wrenches at the ends.
 double passed_slack_j(Simulation& s) {
   View view = view_of(s.session.kernel);
   const Vec3 shift_m = attachment_shift(view.model, view.state);
@@ -441,12 +441,12 @@ const char* broken_energy(Simulation& s, std::span<const Output> outputs) {
   s.observer.least_j = std::min(s.observer.least_j, observed);
   double allowed = kObserverJ;
   if (!s.scenario.gentle) allowed += s.observer.slack_j + passed_j;
-  // The observer begins anew after such a tick: its slack would hide what follows.
+  // The observer begins again after such a tick, because the tick's slack would hide what follows.
   if (passed_j > 0) begin_anew(observer, stored_j);
   return observed > -allowed ? nullptr : "more energy comes out of the tissue than went in";
 }
 
-// How much the tick may have cost.
+// How much the tick may cost.
 const char* broken_bound(Simulation& s, std::uint64_t tick) {
   const Kernel& kernel = s.session.kernel;
   count_work(kernel, shift_of(kernel), s.work);
@@ -499,7 +499,8 @@ void check_tick(Simulation& s) {
   s.state.stop = true;
 }
 
-// An operator who sees a fault, and the device answer again, and arms; and a loop that is late.
+// An operator who sees a fault, waits until the device answers again, and acknowledges; and a loop
+// that is late.
 void between_ticks(Simulation& s) {
   for (std::uint32_t i = 0; i < s.needles(); ++i) {
     hal::GuardState& guard = s.state.hand[i].guard;
@@ -548,7 +549,7 @@ double largest_displacement(const Kernel& kernel) {
   return std::sqrt(largest);
 }
 
-// Withdraws all needles so far.
+// Withdraws all needles by this much.
 void leave(Simulation& s, double to_m) {
   const double speed_m_per_s = s.scenario.gentle ? kGentleMPerS : kLeaveMPerS;
   double most_m = 0;
@@ -575,7 +576,7 @@ double longest_needle_m(const Config& config) {
 void come_to_rest(Simulation& s) {
   const double period_s = static_cast<double>(s.scenario.config.period_s);
   leave(s, kLeaveM);
-  // A violent hand may have pushed a needle through the organ up to its hub, and swept the tip
+  // A violent hand may have pushed a needle through the organ up to its hub and swept the tip
   // aside.
   if (!all_outside(s.session.kernel)) leave(s, kLeaveM + longest_needle_m(s.scenario.config));
   while (s.verdict.broken == nullptr && s.verdict.rest_s < kLongestRestS) {

@@ -17,13 +17,13 @@
 // In a gentle session E stays above -kObserverJ. In the others a hand may move by millimetres in a
 // tick, and the force on the way is known only up to half of its change: the check is E >
 // -(kObserverJ + slack), where slack is the sum of half the change of the wrench times the motion.
-// There the observer also stops once a voxel is turned inside out. Where a hand throws a needle
-// through an obstacle in a tick, what pushed it on the way does not lie between the wrenches at the
-// ends: the slack of that tick is twice the force at its deepest on a straight way, times the way,
-// and the observer goes on from what is stored then. It stops where an elastic needle has found no
-// stable shape (kFlagNeedleUnstable), and begins again a while after the last such tick, from what
-// is stored then. Obstacles move in the frame of the attachments, and do work on a needle that
-// touches them.
+// There the observer also stops once a voxel is turned inside out. If a hand throws a needle
+// through an obstacle in a tick, the force on the way does not lie between the wrenches at the
+// ends: the slack of that tick is twice the force at the deepest point of a straight way, times the
+// way, and the observer goes on from what is stored then. It stops where an elastic needle has
+// found no stable shape (kFlagNeedleUnstable), and begins again a while after the last such tick,
+// from what is stored then. Obstacles move in the frame of the attachments, and do work on a needle
+// that touches them.
 #pragma once
 
 #include <cstdint>
@@ -42,17 +42,17 @@ struct Verdict {
   std::uint64_t tick = 0;        // where it broke
   std::uint64_t ticks = 0;
   double observer_min_j = 0;
-  std::uint64_t observed_ticks = 0;  // by the observer of energy
+  std::uint64_t observed_ticks = 0;  // ticks that the observer of energy has judged
   std::uint32_t faults = 0, punctures = 0, touches_max = 0;
-  // The tick with the most to do, by particles and contacts.
+  // The tick with the most particles and contacts.
   std::uint64_t busiest_tick = 0;
   std::uint32_t busiest_load = 0;
   // The tick that may cost most (tick_work.h), and how many instructions it may take.
   std::uint64_t dearest_tick = 0, dearest_bound = 0;
-  double rest_s = 0;  // how long the tissue took to come back
+  double rest_s = 0;  // how long the tissue took to come to rest
 };
 
-// `tamper` is called after every tick: with it the tests of the simulator break a promise.
+// `tamper` is called after every tick: the simulator's own tests use it to break a promise.
 using Tamper = std::function<void(Kernel&, std::uint64_t tick)>;
 // For ticks that are `wanted`, `count` gets a copy of the kernel as it was before the tick, and the
 // tick's inputs: to repeat the tick and count its instructions.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulator notices what it is there for: each promise is broken once, from inside.
+// The simulator notices what it is made for: each promise is broken once, from inside.
 #include "simulator.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Simulator, SameSeedSameSession) {
   EXPECT_GT(a.busiest_load, 3U) << "the needle goes in";
 }
 
-// The last particle that moves.
+// The last particle that can move.
 std::uint32_t moving(Kernel& kernel) {
   View view = view_of(kernel);
   std::uint32_t i = view.model.head->counts.particles;
@@ -68,14 +68,14 @@ TEST(Simulator, SeesEnergyFromNowhere) {
             "more energy comes out of the tissue than went in");
 }
 
-TEST(Simulator, SeesAPoolThatHeldTooMuch) {
+TEST(Simulator, SeesAPoolThatIsTooFull) {
   EXPECT_EQ(verdict_of([](Kernel& kernel, std::uint64_t tick) {
               if (tick == 100) state_of(kernel).head->coupled_max = 1U << 30U;
             }),
             "a pool held more than there is room for");
 }
 
-TEST(Simulator, SeesTissueThatDoesNotComeBack) {
+TEST(Simulator, SeesTissueThatDoesNotComeToRest) {
   EXPECT_EQ(verdict_of(
                 [](Kernel& kernel, std::uint64_t) { state_of(kernel).ux[moving(kernel)] = 5e-6F; }),
             "the tissue does not come back to rest");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only source that is compiled with a path in it, so that ccache finds all others whatever the
+// The only source that is compiled with a path in it, so that ccache finds all others in any
 // checkout.
 #include "data_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the shared data is: STYLET_DATA in the environment, else beside the repository.
+// Where the shared data is: STYLET_DATA in the environment, otherwise beside the repository.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers from a seed, for scenes and sessions that are drawn.
+// Random numbers from a seed, for random scenes and sessions.
 //
 // Promise: the same numbers with every standard library. Units: those of the bounds.
 #pragma once
@@ -17,7 +17,7 @@ class Draw {
 
   double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
   float between(double low, double high) { return static_cast<float>(low + (high - low) * unit()); }
-  // Each factor of ten as likely as any other.
+  // Each factor of ten is equally likely.
   float magnitude(double low, double high) {
     return static_cast<float>(low * std::pow(high / low, unit()));
   }
@@ -28,7 +28,7 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-// From the environment, such as a seed.
+// A number from the environment, such as a seed.
 inline int number_from(const char* variable, int otherwise) {
   const char* wanted = std::getenv(variable);
   return wanted != nullptr ? std::atoi(wanted) : otherwise;

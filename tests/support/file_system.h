@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // File systems that can do less: NFS and FUSE cannot exchange two files or refuse to replace one;
-// FAT, and folders that a virtual machine shares, know no second names. A program that links this
-// calls it in the system's place (renameat2, link), and is refused as those refuse.
+// FAT, and folders that a virtual machine shares, have no hard links. A program that links this
+// calls it instead of the system (renameat2, link), and is refused as those would refuse.
 #pragma once
 
 namespace stylet::test {
 
-// As long as one of these lives; one at a time.
+// In force as long as one of these lives; one at a time.
 class FileSystem {
  public:
-  // Exchanges two files, or refuses to replace one; gives a file a second name.
+  // Whether it exchanges two files, refuses to replace one, and makes hard links.
   FileSystem(bool exchanges, bool links);
   ~FileSystem();
   FileSystem(const FileSystem&) = delete;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a piece of needle is from a body, as a tick sees a piece that has touched nothing yet.
-// Units: SI. Frame: world.
+// The distance of a needle's piece from a body, as a tick finds it for a piece that has touched
+// nothing yet. Units: SI. Frame: world.
 #pragma once
 
 #include "needle/obstacle.h"
@@ -16,7 +16,7 @@ struct Gap {
 // Exact as long as the piece's axis is outside the body. If it is inside: a depth by which the
 // piece can leave, which is not always the smallest.
 inline Gap gap_of(const Obstacle& obstacle, const NeedlePiece& piece) {
-  constexpr double kAnyM = 1e3;  // far beyond what a body or a needle may be
+  constexpr double kAnyM = 1e3;  // far beyond the size of a body or a needle
   ObstacleFace face = {};
   (void)find_face(obstacle, {to_double(piece.a_m), to_double(piece.b_m)},
                   static_cast<double>(piece.radius_m), {}, {}, {}, kAnyM, face);

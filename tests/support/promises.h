@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must hold after every tick, whatever went in: used by fuzzers, simulator and scenes.
+// What must hold after every tick, whatever the input: used by fuzzers, simulator and scenes.
 //
 // `broken_promise` looks at one tick from outside and from inside and names the first promise that
-// does not hold. Promise: no allocation where all hold. Units: SI. Frame: world.
+// does not hold. Promise: no allocation if all of them hold. Units: SI. Frame: world.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ namespace stylet::test {
 // Forces are sums of up to 146 floats: they agree with the sum in double to this, relative to the
 // sum of magnitudes, or to this many newtons.
 constexpr double kSumTolerance = 1e-6;
-// A place in the world is rounded twice on its way out of the attachments' frame: moments agree to
-// this fraction of the place times the force.
+// A position in the world is rounded twice on its way out of the attachments' frame: moments agree
+// to this fraction of position times force.
 constexpr double kPlaceRounding = 1.2e-7;
 
 struct Sum3 {
@@ -110,7 +110,7 @@ inline const char* broken_pool(const Kernel& kernel) {
   const Stats s = stats(kernel);
   const std::uint32_t needles = view_of(kernel).model.head->counts.needles;
   for (const Pool& pool : {s.constraint_particles, s.obstacle_contacts}) {
-    // Used of all needles, most and capacity of one.
+    // Number used by all needles, most used by one, and capacity of one.
     if (pool.used > pool.capacity * needles) return "a pool holds more than there is room for";
     if (pool.used_max > pool.capacity) return "a pool held more than there is room for";
     if (pool.used > pool.used_max * needles) return "a pool's largest use is less than its use";

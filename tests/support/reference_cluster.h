@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slow reference of one voxel in double precision: the fit with all its particles, ghosts included.
+// Slow reference of one voxel in double precision: the match with all its particles, ghosts
+// included.
 //
-// Written from the minimisation itself, not from the kernel's closed forms: rotations by singular
-// value decomposition, sums over every particle, ghost particles as particles with places of their
-// own. Units: SI. Frame: world; corner i of a voxel is at (i & 1, i >> 1 & 1, i >> 2).
+// It is written from the minimisation itself, not from the kernel's closed forms: rotations by
+// singular value decomposition, sums over every particle, ghost particles as particles with
+// positions of their own. Units: SI. Frame: world; corner i of a voxel is at (i & 1, i >> 1 & 1, i
+// >> 2).
 // Source: Mueller et al. 2005 (fit); the energies are those at the head of
 // kernel/src/lattice/lattice.h.
 #pragma once
@@ -57,7 +59,7 @@ inline Fit fit_points(const std::vector<FitPoint>& points) {
   return fit;
 }
 
-// sum of w |x - g|^2 at the best fit.
+// Sum of w |x - g|^2 at the best fit.
 inline double fit_energy(const std::vector<FitPoint>& points) {
   const Fit fit = fit_points(points);
   double sum = 0;
@@ -144,7 +146,7 @@ inline double voxel_energy(const ReferenceVoxel& voxel) {
 
 struct VoxelForces {
   std::array<Vec, 8> corner;  // on the corners
-  std::vector<Vec> held;      // on the tissue, from the holder of each constraint particle
+  std::vector<Vec> held;      // on the tissue, from the needle at each constraint particle
 };
 
 inline VoxelForces voxel_forces(const ReferenceVoxel& voxel) {
@@ -167,9 +169,10 @@ inline VoxelForces voxel_forces(const ReferenceVoxel& voxel) {
   return out;
 }
 
-// The fit with ghosts as real particles. Each constraint particle brings one ghost at its mirror
-// place (which keeps the centroid) and four across (which keep the moment isotropic). After every
-// fit each ghost is moved to its goal, beginning from its rest place, until nothing moves any more.
+// The match with ghosts as real particles. Each constraint particle brings one ghost at its mirror
+// image (which keeps the centroid) and four across (which keep the moment isotropic). Each ghost
+// begins at its rest position and is moved to its goal after every match, until nothing moves any
+// more.
 inline Fit fit_with_ghosts(const ReferenceVoxel& voxel, const Vec& rest_centre_m) {
   std::vector<FitPoint> points = points_of(voxel);
   const std::size_t real = points.size();

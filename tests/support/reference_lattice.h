@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slow reference of a free block of voxels in double precision: forces and the symplectic step.
 //
-// One voxel after the other through reference_cluster.h. Units: SI. Frame: world, low corner at 0.
+// It goes through the voxels one by one, with reference_cluster.h. Units: SI. Frame: world, low
+// corner at 0.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ namespace stylet::test {
 struct ReferenceBlock {
   std::size_t size = 0;  // voxels along each edge
   ReferenceVoxel material;
-  double corner_kg = 0;  // mass share of a corner in one voxel
+  double corner_kg = 0;  // mass of one voxel's corner
   std::vector<Vec> place, velocity;
   std::vector<double> kg;
 

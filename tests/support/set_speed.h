@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets a particle's speed, whichever field of the state holds it: with true mass the filter makes
-// velocities of the momenta, and does not read the velocities that stand there before a step.
-// Units: m/s, world.
+// Sets a particle's speed in the field of the state that counts: with true mass the filter computes
+// velocities from momenta, and does not read the velocities from before a step. Units: m/s, world.
 #pragma once
 
 #include "state/layout.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Organs of any runs of voxels: nothing held, one material, of one voxel the top as surface. Units:
-// SI.
+// Organs of any runs of voxels: nothing is held, there is one material, and the top of one voxel is
+// the surface. Units: SI.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline std::uint32_t voxels_of(const std::vector<format::Run>& runs) {
   return voxels;
 }
 
-// The place of a voxel, of those of the runs in order, in edges.
+// The position of a voxel, in edges; voxels are counted run by run.
 struct SparseCell {
   std::uint32_t x, y, z;
 };
@@ -30,7 +30,7 @@ inline SparseCell cell_of_voxel(const std::vector<format::Run>& runs, std::uint3
   return {};
 }
 
-// The runs in the order of the format; `top`: the voxel with a surface.
+// Runs are in the order of the format; `top`: the voxel with a surface.
 inline std::vector<std::byte> organ_of_runs(const std::vector<format::Run>& runs,
                                             std::uint32_t top = 0) {
   flatbuffers::FlatBufferBuilder builder;

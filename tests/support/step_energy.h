@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy of tissue and springs as the explicit step keeps it: this is what an observer of energy
-// must look at. Units: J.
+// Energy of tissue and springs as the explicit step conserves it: an observer of energy must use
+// this one. Units: J.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace stylet::test {
 
-// Moves the particles to where the tissue's dampers feel them, tau ahead of where they are. Swapped
-// twice, they are back.
+// Moves the particles to where the tissue's dampers feel them, a time tau ahead. A second swap
+// moves them back.
 inline void swap_ahead(View view) {
   const std::uint32_t count = view.model.head->counts.particles;
   float* const places[] = {view.state.ux, view.state.uy, view.state.uz};

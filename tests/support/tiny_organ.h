@@ -22,7 +22,7 @@
 
 namespace stylet::test {
 
-// A gel. Of a number that is not named here there is as little as may be.
+// A gel. Numbers that are not named here have their smallest value.
 inline constexpr Material kGel = [] {
   Material m = {};
   for (const MaterialNumber& number : kMaterialNumbers) m.*number.field = number.least;

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A parameter of a material and the law of friction that uses it are three lines and the law: in a
-copy of the source they are added so. Kernel and offline compile, old files and tables of tissues
-have 0 for it, the key is known, and the shaft's friction follows it. So is a second law that a
-tissue chooses instead of the first: tissues that do not choose it keep their bits, and a shaft in
-both has each law on its part of the length.
+"""A parameter of a material and the law of friction that uses it are three lines and the law: they
+are added to a copy of the source in this way. Kernel and offline compile, old files and tables of
+tissues have 0 for it, the key is known, and the shaft's friction follows it. So is a second law
+that a tissue chooses instead of the first: tissues that do not choose it keep their bits, and a
+shaft in both has each law on its part of the length.
 
 usage: add_law_test.py SOURCE COMPILER FLATC
 """
@@ -21,7 +21,7 @@ from command import run
 
 SOURCE, COMPILER, FLATC = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 
-# FILE, what is there, what is there instead.
+# File, text in it, and what replaces that text.
 ONE_MORE_NUMBER = [
     ("kernel/include/stylet/material.h", '"membrane_n_per_mm", 1e3, false)',
      '"membrane_n_per_mm", 1e3, false) \\\n'
@@ -40,8 +40,8 @@ ONE_MORE_NUMBER = [
      "}\ninline float dry_n_per_m(const Friction& f, float speed_m_per_s) {"),
 ]
 
-# The recipe of kernel/README.md: the tissue says which part of its friction follows the second law,
-# and each law has amplitudes of its own.
+# The recipe of kernel/README.md: a number of the tissue says which part of its friction follows the
+# second law, and each law has its own amplitudes.
 STAYS = "(1 - m.rising_friction) * "
 SECOND_LAW = [
     ("kernel/include/stylet/material.h", '"membrane_n_per_mm", 1e3, false)',
@@ -86,7 +86,7 @@ int main(int, char** arguments) {
 }
 """
 
-# Numbers of the friction of random tissues; at 0 of the second law, in the two sources, the same.
+# Prints friction of random tissues; with 0 of the second law it must be the same from both sources.
 SAME = """#include <cstdio>
 #include <random>
 #include "laws/friction.h"
@@ -110,8 +110,8 @@ int main() {
 }
 """
 
-# At a speed of 0.3 times the Stribeck speed: what a tissue of each law has, and a shaft of which a
-# quarter is in the one with the second law.
+# Friction at 0.3 times the Stribeck speed: of a tissue with each law, and of a shaft with a quarter
+# of its length in the tissue with the second law.
 BOTH = """#include <cstdio>
 #include "laws/friction.h"
 
@@ -133,7 +133,7 @@ int main() {
 }
 """
 
-# What the table of a tissue has of its last number of before and of the new one, at 0 and at 4.
+# The table of a tissue: its formerly last number and the new one, at 0 and at 4.
 WRITER = """#include <cstdio>
 #include "asset/write_organ.cpp"
 
@@ -201,7 +201,7 @@ class AddLaw(unittest.TestCase):
                 kernel / "organ/organ.cpp", kernel / "organ/runs.cpp", kernel / "base/status.cpp",
                 SOURCE / "kernel/content/content_sum.cpp", SOURCE / "kernel/content/sha256.cpp",
                 "-lfmt", "-lcrypto", "-lmd")
-            # An organ without the new number has the bytes of before.
+            # An organ without the new number has the same bytes as before.
             self.assertEqual(run(writer), "1 0 0;1 1 4;")
             tissues = folder / "tissues.toml"
             tissues.write_text("[gel]\n[liver]\nwet_friction_n_per_mm = 0.002\n")

@@ -95,7 +95,7 @@ TEST(Create, RefusesEveryMisalignment) {
   }
 }
 
-// A field of Config with its bounds; `set` writes any value.
+// A field of Config with its bounds; `set` writes a value into it.
 struct Field {
   const char* name;
   std::function<void(Config&, float)> set;
@@ -167,8 +167,7 @@ TEST(Config, RefusesOtherModesInertiasAndSubsteps) {
   EXPECT_EQ(status_of(most), Status::kOk);
 }
 
-// Every corner of the configuration runs: no combination of bounds gives a force that is not
-// finite.
+// The configuration runs at every combination of bounds: none gives a force that is not finite.
 TEST(Config, EveryCornerRuns) {
   const auto opened = organ();
   const std::vector<Field> all = fields();
@@ -190,9 +189,9 @@ TEST(Config, EveryCornerRuns) {
   }
 }
 
-// All of a block at one speed: with added mass the mass of the step, with true mass that of the
-// materials, and then the filter has as many passes as the stiffest tissue needs.
-TEST(Inertia, KineticEnergyIsThatOfTheMassThatMoves) {
+// A whole block moves at one speed. With added mass its mass is that of the step, with true mass
+// that of the materials, and then the filter has as many passes as the stiffest tissue needs.
+TEST(Inertia, KineticEnergyIsThatOfTheMovingMass) {
   TinyOrgan tiny;
   tiny.nx = 4;
   tiny.ny = 3;
@@ -239,7 +238,7 @@ TEST(Sizes, RefuseAnOrganThatWasNotOpened) {
 }
 
 #if defined(__x86_64__)
-// What Linux says of this processor.
+// Compared with what Linux says of this processor.
 TEST(InstructionSet, IsTheWidestThatLinuxKnowsOfThisProcessor) {
   std::ifstream file("/proc/cpuinfo");
   std::set<std::string> has;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same bits whatever the processor's mode, the instruction set, the content of scratch, the
-// bytes that were in the blocks before, and the place of the blocks in memory.
+// bytes that were in the blocks before, and the address of the blocks.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ struct Result {
   std::vector<float> force;
 };
 
-// `before_tick(kernel, tick)` may do anything that must not matter.
+// `before_tick(kernel, tick)` may do anything that must not change the result.
 template <typename Before>
 Result run_with(Session& session, const Organ& organ, const Config& config, Before before_tick) {
   const Script script = block_script(organ, config);
@@ -157,7 +157,7 @@ TEST_P(Determinism, FlushToZeroDoesNotMatter) {
   }
 }
 
-// A needle that rests in the tissue for 6 s: whatever decays has time to become tiny.
+// A needle rests in the tissue for 6 s: all that decays has time to become tiny.
 TEST_P(Determinism, FlushToZeroDoesNotMatterInALongRest) {
   const Script script = block_script(organ_->organ, config_);
   std::vector<Input> inputs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The edges of the interface: every bound of configuration and obstacle from both sides, poses with
-// one bad number, answers into too little room, and a kernel whose state is broken.
+// one bad number, arrays that are too small for the answer, and a kernel whose state is broken.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -137,7 +137,7 @@ TEST(Edges, EveryBoundOfAnObstacle) {
   EXPECT_EQ(set_obstacles(session.kernel, many), Status::kConfigValueOutOfRange);
 }
 
-// One bad number in each place of a pose, and a pose that says nothing.
+// One bad number in each place of a pose, and a pose that is not valid.
 TEST(Edges, EveryNumberOfAPose) {
   const auto organ = block_organ(3, 3, 3);
   Session session = make_session(organ->organ, Config{});
@@ -178,7 +178,7 @@ TEST(Edges, AQuaternionAndItsNegativeAreTheSameTurn) {
   EXPECT_EQ(hash(a.kernel), hash(b.kernel));
 }
 
-TEST(Edges, TooFarAwayIsClampedOnEachAxis) {
+TEST(Edges, PosesTooFarAwayAreClampedOnEachAxis) {
   const auto organ = block_organ(3, 3, 3);
   for (int axis = 0; axis < 3; ++axis) {
     Session session = make_session(organ->organ, Config{});
@@ -214,8 +214,8 @@ TEST(Edges, TheFastestHandIsFeltAtEveryPeriod) {
   }
 }
 
-// A needle with particles and a contact; answers into less room are as many as fit.
-TEST(Edges, AnswersIntoTooLittleRoom) {
+// A needle with particles and a contact: a smaller array gets as many as fit.
+TEST(Edges, AnswersIntoArraysThatAreTooSmall) {
   const auto organ = block_organ(5, 5, 6);
   Session session = make_session(organ->organ, Setup::kElastic);
   const Script script = block_script(organ->organ, config_of(Setup::kElastic));
@@ -273,18 +273,18 @@ TEST(Edges, MoreContactsThanRoom) {
   EXPECT_NE(flags & kFlagObstaclePoolFull, 0U);
   EXPECT_EQ(stats(session.kernel).obstacle_contacts.used_max, kMaxTouches);
   EXPECT_GT(stats(session.kernel).obstacle_pool_full, 0U);
-  // Every rod at most once a tick, however often it was looked at.
+  // Every rod counts at most once a tick, however often it was looked at.
   EXPECT_LE(stats(session.kernel).obstacle_pool_full, full_ticks * kMaxTouches);
 }
 
-// Of all rods of a needle that leans on a wall, those that press most are kept, wherever they come
-// in the order in which they are looked at; depths are those of gap_of.
+// Of all rods of a needle that leans on a wall, those that press most are kept, in whatever order
+// they are looked at; expected depths are those of gap_of.
 TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
   const auto organ = block_organ(2, 2, 2);
   Config config = config_of(Setup::kElastic);
   config.breathing = {};
   config.needle[0].rods = 2 * kMaxTouches;
-  config.needle[0].bending_nm2 = 10;          // it leans, and does not bend away
+  config.needle[0].bending_nm2 = 10;          // so stiff that it does not bend away
   for (const float lean : {0.01F, -0.01F}) {  // tip first, handle first
     Session session = make_session(organ->organ, config);
     ObstacleConfig wall;
@@ -322,13 +322,13 @@ TEST(Edges, TheContactsThatPressLeastAreLeftOut) {
 }
 
 // A needle between two walls loses all contacts with one of them in the tick in which it meets the
-// other: the lost ones make room, and none is left out.
+// other: the lost ones make room, and no new one is left out.
 TEST(Edges, ContactsThatAreLostMakeRoom) {
   const auto organ = block_organ(2, 2, 2);
   Config config = config_of(Setup::kElastic);
   config.breathing = {};
   config.needle[0].rods = 2 * kMaxTouches;
-  config.needle[0].bending_nm2 = 10;  // both halves lie where the handle is
+  config.needle[0].bending_nm2 = 10;  // so stiff that both halves follow the handle
   Session session = make_session(organ->organ, config);
   const float radius_m = config.needle[0].outer_radius_m, half_m = 0.5F * config.needle[0].length_m;
   constexpr float kSideM = 5e-3F, kRoomM = 2e-4F, kDepthM = 1e-4F, kAtM = 0.3F, kTopM = 0.2F;
@@ -409,8 +409,8 @@ TEST(Edges, APieceThatIsNotFiniteTouchesNothing) {
   }
 }
 
-// Of all needles, but of no others.
-TEST(Edges, TheLongestUnitIsToldInVoxels) {
+// The longest of all needles of the configuration, and of no others.
+TEST(Edges, TheLongestUnitIsGivenInVoxels) {
   const auto organ = block_organ(3, 3, 3);  // voxels of 5 mm
   Config config;
   config.needle[0].unit_m = 2e-3F;
@@ -438,7 +438,7 @@ TEST(Edges, NeedlesWithoutInputOrOutput) {
   EXPECT_EQ(outputs[1].tick, 1U);
 }
 
-// Memory into which somebody else wrote: the force must not follow it.
+// If somebody else wrote into the memory, the force must not follow that.
 TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
   const auto organ = block_organ(4, 4, 4);
   Session session = make_session(organ->organ, Config{});
@@ -461,7 +461,8 @@ TEST(Edges, ABrokenStateLatchesAFaultUntilReset) {
   EXPECT_EQ(tick(session.kernel, scripted_input(script, 0)).flags, 0U);
 }
 
-// Found by the fuzzer: tissue torn apart after the needle had left it, so that no force told of it.
+// Found by the fuzzer: tissue was torn apart after the needle had left it, so that no force showed
+// it.
 TEST(Edges, TissueThatIsNotFiniteLatchesAFaultThoughTheNeedleIsOutside) {
   for (const float odd : {kNan, std::numeric_limits<float>::infinity()}) {
     const auto organ = block_organ(4, 4, 4);

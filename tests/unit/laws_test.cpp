@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The laws of kernel/src/laws, one by one, against their closed forms in double precision, with
-// drawn numbers. What tissue and needle make of them is tests/fidelity.
+// random numbers. How tissue and needle follow them is tested in tests/fidelity.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ double wide(float value) {
 
 using Law = std::function<double(double)>;
 
-// Five-point rules: exact for polynomials of the fourth degree.
+// Five-point rules, which are exact for polynomials of the fourth degree.
 double slope_of(const Law& law, double at, double step) {
   return (8 * (law(at + step) - law(at - step)) - (law(at + 2 * step) - law(at - 2 * step))) /
          (12 * step);
@@ -63,7 +63,7 @@ struct Reference {
     return high;
   }
   double own_slope(double depth) const { return 1 - part * std::min(depth / l, 1.0); }
-  double growth_n(double depth) const {  // what the lattice's growth adds
+  double growth_n(double depth) const {  // added by the lattice's growth
     const double force = whole_n(depth), most = std::min(force, end), left = own_slope(depth);
     return (1 - left) / left * growth * (2 * force * most - most * most);
   }
@@ -123,7 +123,7 @@ TEST(ConeLaw, IsSneddonsConeAndThenAPunch) {
   }
 }
 
-TEST(ConeLaw, LeavesToTheSpringWhatTheLatticeDoesNotGive) {
+TEST(ConeLaw, LeavesToTheSpringWhatTheLatticeDoesNotCarry) {
   Draw draw(2);
   for (int i = 0; i < kDraws; ++i) {
     const DrawnCone d = drawn_cone(draw);
@@ -145,7 +145,7 @@ TEST(ConeLaw, HasTheSlopeAndTheEnergyOfItsForce) {
     const Law beyond = [&](double y) { return d.is.beyond_n(y); };
     const Law all = [&](double y) { return plain(y) + beyond(y); };
     const double step = 1e-4 * d.own_m, slope = slope_of(all, d.own_m, step);
-    // Where the law's pieces meet within the rule, it has no closed slope.
+    // If two pieces of the law meet within the rule, the slope has no closed form.
     if (std::fabs(slope_of(all, d.own_m, 2 * step) / slope - 1) < 1e-7) {
       EXPECT_NEAR(wide(cone_tangent(d.cone, own)) / slope, 1, 1e-4) << i;
     }
@@ -156,7 +156,7 @@ TEST(ConeLaw, HasTheSlopeAndTheEnergyOfItsForce) {
   }
 }
 
-TEST(ContactLaw, MissesInTheEndWhatRelaxedTissueDoesNotCarry) {
+TEST(ContactLaw, ForceInTheEndIsThatOfRelaxedTissue) {
   Draw draw(4);
   for (int i = 0; i < kDraws; ++i) {
     const DrawnCone d = drawn_cone(draw);
@@ -172,7 +172,7 @@ TEST(ContactLaw, MissesInTheEndWhatRelaxedTissueDoesNotCarry) {
     const double pace =
         d.is.own_slope(d.is.depth_of(d.own_m)) / relaxed.own_slope(relaxed.depth_of(d.own_m));
     EXPECT_NEAR(wide(relaxation_pace(law, own)), pace, 1e-4) << i;
-    // With nothing missing all is stored, with all of it what the relaxed law stores.
+    // If no force is missing, everything is stored; if all of it is, what the relaxed law stores.
     const double stored = relaxed.plain_j(d.own_m) + d.is.beyond_j(d.own_m);
     const double at_once = cone_energy(d.cone, own) + cone_growth_energy(d.cone, own);
     EXPECT_DOUBLE_EQ(contact_energy(law, {own, 0, 0}, {}), at_once) << i;
@@ -204,7 +204,7 @@ TEST(FilmLaw, IsWithinATwentiethOfFiniteElements) {
 }
 
 // E*^(2/3) M^(1/3) d^(5/3): what the energies of skin and tissue give, while the skin is flat.
-TEST(FilmLaw, GrowsAsTheLeastEnergySays) {
+TEST(FilmLaw, GrowsAsTheMinimumOfEnergyRequires) {
   Draw draw(5);
   for (int i = 0; i < kDraws; ++i) {
     const double skin = wide(draw.magnitude(100, 1e5)), depth = wide(draw.magnitude(1e-4, 1e-2));
@@ -244,7 +244,7 @@ Friction drawn_friction(Draw& draw) {
   return f;
 }
 
-TEST(FrictionLaw, IsStaticAtRestCoulombsAndViscousFarBeyondTheStribeckSpeed) {
+TEST(FrictionLaw, IsStaticAtRestAndCoulombPlusViscousFarBeyondTheStribeckSpeed) {
   Draw draw(7);
   for (int i = 0; i < kDraws; ++i) {
     const Friction f = drawn_friction(draw);
@@ -260,7 +260,7 @@ TEST(FrictionLaw, IsStaticAtRestCoulombsAndViscousFarBeyondTheStribeckSpeed) {
   }
 }
 
-TEST(FrictionLaw, FallsWithSpeedWithoutViscosityAndIsNeverBelowItsLeast) {
+TEST(FrictionLaw, WithoutViscosityFallsWithSpeedButNotBelowItsMinimum) {
   Draw draw(8);
   for (int i = 0; i < kDraws; ++i) {
     Friction f = drawn_friction(draw);
@@ -346,7 +346,7 @@ double chebyshev_slope(int degree, double x) {  // for x > 1
   return degree * std::sinh(degree * angle) / std::sinh(angle);
 }
 
-// What the passes make of a motion with this squared frequency, over what it was.
+// A motion with this squared frequency after the passes, over the motion before them.
 double gain_of(const Filter& filter, double frequency_per_s2) {
   double before = 0, last = 1;
   for (std::uint32_t j = 0; j < filter.passes; ++j) {
@@ -391,7 +391,7 @@ TEST(FilterLaw, HasTheGainOfChebyshevsPolynomialAtEveryFrequency) {
       const double gain = gain_of(filter, z * fastest);
       EXPECT_NEAR(gain, wanted, 1e-5) << degree << " " << z;
       EXPECT_GT(gain, 0.0066) << degree << " " << z;
-      // What does not fit into seven passes is left to added mass.
+      // What seven passes cannot do is left to added mass.
       if (fastest < 55 * limit) {
         EXPECT_LE(z * fastest * gain, limit * (1 + 1e-5)) << degree << " " << z;
       }
@@ -402,7 +402,8 @@ TEST(FilterLaw, HasTheGainOfChebyshevsPolynomialAtEveryFrequency) {
   EXPECT_GT(most_damped, kDraws / 10);
 }
 
-// By how much each number of passes divides, as filter.h says it; undamped it would be (n + 1)^2.
+// The factor by which each number of passes divides, as in filter.h; undamped it would be (n +
+// 1)^2.
 TEST(FilterLaw, TakesTheFewestPassesThatSlowEnough) {
   constexpr double kDivides[] = {1, 3.6, 7.9, 13.9, 21.7, 31.2, 42.4, 55.3};
   constexpr float kLimit = 1e6F;

@@ -51,7 +51,7 @@ TEST(ExpMinus, IsExactAtZeroAndZeroFarOut) {
 
 TEST(ExpMinus, NeverLeavesZeroToOne) {
   std::mt19937 random(1);
-  for (int i = 0; i < 1000000; ++i) {  // any bit pattern that is not below zero
+  for (int i = 0; i < 1000000; ++i) {  // any bit pattern except negative numbers
     const float x = std::bit_cast<float>(static_cast<std::uint32_t>(random()) & 0x7FFFFFFFU);
     const float y = exp_minus(x);
     ASSERT_TRUE(y >= 0 && y <= 1) << x;
@@ -59,7 +59,7 @@ TEST(ExpMinus, NeverLeavesZeroToOne) {
 }
 
 // Away from 1 the bound is relative. Near 1, where the logarithm vanishes, it is in units of log 2
-// = 0.69, the value of its own scale.
+// = 0.69.
 TEST(NaturalLog, IsWithinItsBoundOverAllNormalNumbers) {
   std::mt19937 random(2);
   double worst = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Organs that are no plain block: without a surface, with holes, with rows that are shorter than
+// Organs that are not plain blocks: without a surface, with holes, with rows that are shorter than
 // others or missing. Needles go through all of them, and every promise holds.
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ bool gone(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return z == 3 && y == 3 && x > 1 && x < 5;  // a hole in the middle
 }
 
-// A surface vertex whose voxel was taken away goes to the next voxel that is there.
+// A surface vertex whose voxel was removed is given to the next voxel that exists.
 std::unique_ptr<OpenOrgan> ragged() {
   const std::unique_ptr<Owner> owner = block();
   std::vector<std::uint32_t> now;
@@ -116,10 +116,10 @@ TEST(OddOrgan, NeedlesThroughHolesAndShortRows) {
     std::vector<Vec3> places(opened->organ.vertices.size() + 5);
     EXPECT_EQ(surface(session.kernel, places), opened->organ.vertices.size());
   }
-  EXPECT_GT(inserted, 35U / 2);  // others are over holes; with 32 substeps 20 of 35 are inserted
+  EXPECT_GT(inserted, 35U / 2);  // others meet holes; with 32 substeps 20 of 35 are inserted
 }
 
-// Two blocks with a gap of voxels between them, and a lid over all three.
+// Two blocks with a gap between them, and a surface over all three.
 std::unique_ptr<OpenOrgan> bridged() {
   constexpr std::uint16_t kRow = 6, kRows = 4;  // voxels of both blocks in a row
   TinyOrgan tiny;
@@ -131,8 +131,7 @@ std::unique_ptr<OpenOrgan> bridged() {
   const std::unique_ptr<Owner> owner(format::GetOrgan(tiny_organ(tiny).data())->UnPack());
   owner->vertices.clear();
   owner->triangles.clear();
-  for (const std::uint32_t column :
-       {0U, 2U, 3U, 5U}) {  // of a row's voxels: the ends of the blocks
+  for (const std::uint32_t column : {0U, 2U, 3U, 5U}) {  // voxels of a row: the ends of the blocks
     const auto fx = static_cast<std::uint16_t>(column == 0 || column == 3 ? 0 : 65535);
     const std::uint32_t top = (kRows - 1) * kRows * kRow + column;
     owner->vertices.emplace_back(top, fx, std::uint16_t{0}, std::uint16_t{65535}, std::uint16_t{0});
@@ -147,9 +146,9 @@ std::unique_ptr<OpenOrgan> bridged() {
   return packed(*owner);
 }
 
-// A surface that goes on over a gap, as other tools may write it: there is nothing under it that
-// could hold a needle. A needle that begins there is free, however deep. One that is moved
-// anywhere, in and out of both blocks and the gap, keeps every promise.
+// A surface that goes on over a gap, as other tools may write it: under it there is nothing that
+// could hold a needle. A needle that begins there is free, however deep. For a needle that is moved
+// anywhere, in and out of both blocks and the gap, every promise holds.
 TEST(OddOrgan, ASurfaceOverNothingIsNotFelt) {
   const auto opened = bridged();
   const float length_m = Config{}.needle[0].length_m;
@@ -240,8 +239,8 @@ TEST(OddOrgan, TooManyVoxelsAreRefused) {
   EXPECT_STREQ(refusal.expected, "1 to 4000000 voxels");
 }
 
-// Rows of one plane that begin and end at other voxels than their neighbours: a place beside a row
-// is outside, although other rows reach as far.
+// Rows of one plane begin and end at other voxels than their neighbours: a place beside a row is
+// outside, even if other rows reach that far.
 TEST(OddOrgan, PlacesBesideAShortRowAreOutside) {
   TinyOrgan tiny;
   tiny.nx = 6;

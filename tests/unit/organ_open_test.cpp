@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// organ_open: every reason for refusal with its place, index, value and expectation; files cut at
+// organ_open: every reason for refusal, with place, index, value and expectation; files cut at
 // every length; every byte flipped.
 
 #include <gtest/gtest.h>
@@ -245,7 +245,7 @@ TEST(OrganOpen, OpensAGoodOrgan) {
   EXPECT_STREQ(organ_material(organ, 0).name, "gel");
 }
 
-TEST(OrganOpen, TakesALeafOfTheLastTriangleAlone) {
+TEST(OrganOpen, AcceptsALeafWithOnlyTheLastTriangle) {
   const auto last_alone = [](Owner& o) {
     for (format::SphereNode& n : o.sphere_nodes) {
       if (n.count() == 0) continue;
@@ -315,7 +315,7 @@ TEST(OrganOpen, RefusesNumbersThatAreNotFinite) {
   }
 }
 
-// What is refused beyond a limit is accepted at the limit.
+// Values that are refused beyond a limit are accepted at the limit.
 TEST(OrganOpen, AcceptsEveryLimitItself) {
   const auto at = [](bool high) {
     return changed(
@@ -355,7 +355,7 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
   }
 }
 
-// And refused just beyond it.
+// And they are refused just beyond it.
 TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
   using M = format::MaterialT;
   const std::vector<Change> changes = {
@@ -408,9 +408,9 @@ TEST(OrganOpen, ListsTheNumbersOfAMaterialAsTheSchemaDoes) {
   }
 }
 
-// Of every number there is or will be: a value just beyond is refused with the name, the value and
-// words that say the limits as they are; one at a limit is read as it was written.
-TEST(OrganOpen, KeepsEveryMaterialNumberWithinTheLimitsItSays) {
+// For every number of the list, also later ones: a value just beyond a limit is refused with the
+// name, the value and the correct limits; a value at a limit is read as it was written.
+TEST(OrganOpen, KeepsEveryMaterialNumberWithinTheLimitsItNames) {
 #define STYLET_WRITTEN(field, ...) &format::MaterialT::field,
   float format::MaterialT::*const written[] = {STYLET_MATERIAL_NUMBERS(STYLET_WRITTEN)};
 #undef STYLET_WRITTEN
@@ -461,8 +461,8 @@ TEST(OrganOpen, RowsBeyondFifteenBitsAreInOrder) {
       << refusal.place << ": " << refusal.expected;
 }
 
-// A chain: every inner node has the next one as its first child and a leaf as its second, which
-// waits on the stack while the walk goes down.
+// The tree is a chain: every inner node has the next one as its first child and a leaf as its
+// second, which waits on the stack while the search goes down.
 std::vector<std::byte> chain_organ(std::uint32_t levels) {
   const auto chain = [levels](Owner& o) {
     const format::SphereNode leaf(0, 0, 0, 1, 0, 1);
@@ -514,7 +514,7 @@ TEST(OrganOpen, RefusesOtherFiles) {
 TEST(OrganOpen, RefusesEveryTruncation) {
   const std::vector<std::byte> good = tiny_organ(small());
   for (std::size_t size = 0; size < good.size(); ++size) {
-    // A copy of exactly this size, so that a sanitizer sees any byte read beyond it.
+    // A copy of exactly this size, so that a sanitizer notices any read beyond it.
     Block copy = make_block(size + 1);
     std::copy_n(good.begin(), size, copy.bytes.get());
     Organ organ;
@@ -527,8 +527,8 @@ TEST(OrganOpen, RefusesEveryTruncation) {
   }
 }
 
-// A lattice far larger than its voxels would cost memory and time of which the file's size shows
-// nothing.
+// A lattice far larger than its voxels would cost memory and time out of proportion to the file's
+// size.
 TEST(OrganOpen, RefusesALatticeMuchLargerThanItsVoxels) {
   const auto vast = [](Owner& o) { o.size_y = o.size_z = 65535; };
   Organ organ;
@@ -536,8 +536,8 @@ TEST(OrganOpen, RefusesALatticeMuchLargerThanItsVoxels) {
       << "12 voxels, and create would walk and store 4e9 rows";
 }
 
-// What can be opened must also run: sizes, create and a few ticks at the surface. (Vast lattices
-// have their own test.)
+// An organ that can be opened must also run: sizes, create and a few ticks at the surface. (Vast
+// lattices have their own test.)
 void run_opened(const Organ& organ) {
   if (std::uint32_t{organ.size_y} * organ.size_z > 4096) return;
   Sizes need = {};

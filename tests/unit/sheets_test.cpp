@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lattices of several sheets: parts that share cells of space without touching. A block cut in two
-// sheets and tied along the cut is the block; without ties its halves know nothing of each other.
+// Lattices of several sheets: parts that share cells of space without touching. A block cut into
+// two sheets and tied along the cut behaves as the whole block; without ties its halves do not
+// influence each other.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace stylet::test {
 namespace {
 
 constexpr std::uint16_t kEdge = 4, kRows = kEdge + 1, kCut = 2;
-constexpr std::uint64_t kLeft = 0x3333333333333333;  // the quarters at the low side of x
+constexpr std::uint64_t kLeft = 0x3333333333333333;  // the sub-samples at the low side of x
 
 std::unique_ptr<Owner> without_surface(const TinyOrgan& tiny) {
   std::unique_ptr<Owner> owner(format::GetOrgan(tiny_organ(tiny).data())->UnPack());
@@ -39,7 +40,7 @@ TinyOrgan block() {
   return tiny;
 }
 
-// The voxels up to kCut along x are in one sheet, those from there on in the others.
+// Voxels up to kCut along x are in one sheet, those beyond it in the others.
 std::unique_ptr<Owner> halves(bool tied, std::uint16_t sheets = 2) {
   TinyOrgan tiny = block();
   tiny.ny = static_cast<std::uint16_t>(sheets * kRows);
@@ -58,7 +59,7 @@ std::unique_ptr<Owner> halves(bool tied, std::uint16_t sheets = 2) {
   return owner;
 }
 
-// The same with the surface of the whole, through which a needle enters.
+// The same, with the surface of the whole block, through which a needle enters.
 std::unique_ptr<Owner> halves_with_surface() {
   std::unique_ptr<Owner> owner = halves(true);
   const std::unique_ptr<Owner> whole(format::GetOrgan(tiny_organ(block()).data())->UnPack());
@@ -118,7 +119,7 @@ void each_node(const View& view,
   }
 }
 
-// A push that differs from place to place, at the nodes for which `pushed` is true.
+// A force that differs from place to place, on the nodes for which `pushed` is true.
 void push(const View& view, const std::function<bool(const Vec3&)>& pushed) {
   each_node(view, [&](std::uint32_t, const Vec3& at, std::uint32_t particle) {
     if (!pushed(at) || !(view.model.step_per_mass[particle] > 0)) return;
@@ -174,12 +175,12 @@ double squared(Vec3 v) {
   return length * length;
 }
 
-// What a hand feels of the difference of two bodies: the difference of their forces, low-passed at
-// 20 Hz, up to which a hand follows a force (Brooks 1990). So an event that comes a tick later
-// counts by the impulse that it moves, and what lasts counts whole.
+// The difference of two bodies as a hand feels it: the difference of their forces, low-passed at 20
+// Hz, up to which a hand follows a force (Brooks 1990). So an event that comes a tick later counts
+// only by the impulse that it shifts, and a lasting difference counts fully.
 struct FeltDifference {
   Vec3 felt_n = {};
-  double sum = 0;       // of squares, over ticks
+  double sum = 0;       // sum of squares over ticks
   double each_sum = 0;  // the same of the ticks' own differences
 };
 void add_tick(Vec3 off_n, FeltDifference& difference) {
@@ -189,13 +190,13 @@ void add_tick(Vec3 off_n, FeltDifference& difference) {
   difference.each_sum += squared(off_n);
 }
 
-// Along a cut, a needle feels what it would in the whole. In the mean the forces of the two bodies
-// differ no more than those of one body under two hands 0.1 um apart, the worst of twenty that are
-// drawn. (Sums in another order are magnified where the needle stops and where it punctures, and so
-// is the hand's place. If the bar were the worst of four draws, the halves, which are one more such
-// draw, would be over it by chance at every fifth change of the bits. In the very middle of the
-// block, a place of symmetry, any hand to the side goes in at another moment, so the place is
-// drawn, too.)
+// Along a cut a needle feels what it would feel in the whole block. On average the forces of the
+// two bodies differ no more than those of one body under two hands 0.1 um apart, the worst of
+// twenty random ones. (Where the needle stops and punctures, small differences are magnified: those
+// of sums in another order, and those of the hand's position. If the bar were the worst of only
+// four, the tied halves, which are like one more of them, would be over it by chance at every fifth
+// change of the bits. In the very middle of the block, a place of symmetry, any hand beside it goes
+// in at another moment; so the place is random, too.)
 TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
   std::mt19937 random(3);
   std::vector<Vec3> aside_m(20);
@@ -237,7 +238,7 @@ TEST(Sheets, NeedleInTiedHalvesFeelsTheWhole) {
   }
   EXPECT_LT(halves_off.sum, worst_hand);
   EXPECT_LT(halves_off.each_sum, worst_each);
-  EXPECT_LT(worst_hand, 2.5e-5 * all);  // 0.5 %: so that the comparison says something
+  EXPECT_LT(worst_hand, 2.5e-5 * all);  // 0.5 %: otherwise the comparison would say little
 }
 
 TEST(Sheets, HelpersChangeNoBit) {
@@ -271,7 +272,7 @@ TEST(Sheets, PartsWithoutTiesDoNotMoveEachOther) {
   EXPECT_GT(moved[1], 1e-5);
 }
 
-TEST(Sheets, APlaceIsHeldByThePartItLiesIn) {
+TEST(Sheets, APlaceIsHeldByThePartInWhichItLies) {
   const auto shared = packed(*shared_cells());
   Session session = make_session(shared->organ, Config{});
   View view = view_of(session.kernel);
@@ -293,8 +294,8 @@ TEST(Sheets, APlaceIsHeldByThePartItLiesIn) {
   EXPECT_FALSE(inside_lattice(view.model, edge_m * Vec3{1, kEdge + 1.5F, 1}));  // the second sheet
 }
 
-// Two voxels of one cell, each with a plane before the gap between them: at any place the voxel
-// counts in which that place is.
+// Two voxels of one cell, each with a plane at its side of the gap between them: at any place the
+// voxel that contains it counts.
 TEST(Sheets, EachPartOfACellHasAPlaneOfItsOwn) {
   const std::unique_ptr<Owner> owner = shared_cells();
   const auto& runs = owner->runs;
@@ -318,7 +319,7 @@ TEST(Sheets, EachPartOfACellHasAPlaneOfItsOwn) {
   }
 }
 
-// What organ_open says of the shared cells after a change, as "place[index]: expected".
+// What organ_open says about the shared cells after a change, as "place[index]: expected".
 std::string refusal_of(const std::function<void(Owner&)>& change, std::uint16_t sheets = 2) {
   const std::unique_ptr<Owner> owner = halves(true, sheets);
   owner->sheets->parts.emplace_back(0, 0, 0, 0, kLeft);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as a snapshot: they are refused, or are a state of this organ and configuration that does
-// no harm. And what may differ between two kernels that exchange snapshots.
+// Any bytes as a snapshot are refused, or are a harmless state of this organ and configuration. And
+// what may differ between two kernels that exchange snapshots.
 #include "state/snapshot.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@
 namespace stylet::test {
 namespace {
 
-// What is written over a word: of a float or the upper half of a double, one that is not a number;
-// of a count, one that is more than any array holds.
+// Written over a word: for a float or the upper half of a double a value that is not finite, for a
+// count more than any array holds.
 constexpr std::uint32_t kNoNumber = 0x7FF80001U;
 
 std::vector<std::byte> saved_of(const Kernel& kernel) {
@@ -32,13 +32,13 @@ std::vector<std::byte> saved_of(const Kernel& kernel) {
   return bytes;
 }
 
-// As somebody would who means harm.
+// As an attacker would do it.
 void sign(const Kernel& kernel, std::vector<std::byte>& bytes) {
   const SnapshotHeader header = snapshot_header(kernel, bytes.data() + sizeof(SnapshotHeader));
   std::memcpy(bytes.data(), &header, sizeof header);
 }
 
-// Two needles in tissue of true mass, which has fields of its own, one of them on bone, and a
+// Two needles, one of them on bone, in tissue of true mass, which has fields of its own; and a
 // snapshot.
 struct Taken {
   std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8);
@@ -83,7 +83,7 @@ bool free_word(const std::string& field, std::size_t offset) {
          within(offsetof(StateHead, input_not_finite), offsetof(StateHead, work_by_hand_j));
 }
 
-TEST(Snapshot, EveryWordOfEveryFieldIsLookedAt) {
+TEST(Snapshot, EveryWordOfEveryFieldIsChecked) {
   Taken t;
   const std::vector<std::byte>& good = t.bytes;
   ASSERT_EQ(restore(t.other.kernel, good), Status::kOk);
@@ -112,13 +112,13 @@ TEST(Snapshot, EveryWordOfEveryFieldIsLookedAt) {
   EXPECT_GT(words, 1000U);
 }
 
-// Changes what is used as an index or a count to the first number that is too large.
+// Changes each index and count to the first number that is too large.
 struct Wrong {
   const char* what;
   std::function<void(State&)> change;
 };
 
-TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
+TEST(Snapshot, IndicesAndCountsAreCheckedAgainstTheModel) {
   Taken t;
   View view = view_of(t.session.kernel);
   const Counts& c = counts_of(t.session.kernel);
@@ -180,8 +180,8 @@ TEST(Snapshot, IndicesAndCountsAreHeldAgainstTheModel) {
   }
 }
 
-// A row also stores short holes; no particle may hold on to one.
-TEST(Snapshot, NoParticleHoldsOnToAHole) {
+// A row also stores short holes; no particle may be in a hole.
+TEST(Snapshot, NoParticleMayBeInAHole) {
   TinyOrgan tiny;
   tiny.fixed_faces = kLowZ;
   tiny.materials[0].puncture_force_n = 0.05F;
@@ -207,7 +207,8 @@ TEST(Snapshot, NoParticleHoldsOnToAHole) {
   EXPECT_EQ(refused, 1U);
 }
 
-// A snapshot from each phase goes on with the same bits; one in contact with nothing is damaged.
+// A snapshot from each phase goes on with the same bits; if its needle is in contact with nothing,
+// it is damaged.
 TEST(Snapshot, IsTakenInEveryPhase) {
   const auto organ = block_organ(6, 5, 8);
   const Script script = block_script(organ->organ, Config{});
@@ -230,7 +231,7 @@ TEST(Snapshot, IsTakenInEveryPhase) {
   EXPECT_EQ(std::count(seen.begin(), seen.end(), true), 4);
 }
 
-TEST(Snapshot, OneFlippedBitAnywhereIsSeen) {
+TEST(Snapshot, OneFlippedBitAnywhereIsNoticed) {
   Taken t;
   const std::uint64_t before = hash(t.other.kernel);
   std::mt19937 random(1);
@@ -268,7 +269,7 @@ TEST(Snapshot, OfAFaultIsAFault) {
   }
 }
 
-// Needles beyond needle_count, vertices beyond vertex_count, the sign of a zero.
+// Such bytes are needles beyond needle_count, vertices beyond vertex_count, and the sign of a zero.
 TEST(Snapshot, FitsAKernelThatDiffersInBytesThatDoNotMatter) {
   Taken t;
   Config config = t.config;
@@ -315,7 +316,7 @@ TEST(Obstacles, AreTakenBeforeTheFirstTickOnly) {
   EXPECT_EQ(set_obstacles(session.kernel, {}), Status::kOk);
 }
 
-// Of two bodies the second is refused, and the one that is there stays.
+// The second of two bodies is refused, and the one from before stays.
 TEST(Obstacles, AreRefusedByNameNumberAndLimits) {
   const auto organ = block_organ(3, 3, 3);
   Session session = make_session(organ->organ, Setup::kElastic);
@@ -342,8 +343,8 @@ TEST(Obstacles, AreRefusedByNameNumberAndLimits) {
   EXPECT_EQ(view_of(session.kernel).model.head->obstacle_count, 2U);
 }
 
-// As managed hosts do it: the Organ is moved, and its old place is used for something else.
-TEST(Kernel, NeedsTheBytesOfItsOrganAlone) {
+// As in managed languages: the Organ is moved, and its old memory is used for something else.
+TEST(Kernel, NeedsOnlyTheBytesOfItsOrgan) {
   const auto opened = block_organ(6, 5, 8);
   const Script script = block_script(opened->organ, Config{});
   Session expected = make_session(opened->organ, Config{});

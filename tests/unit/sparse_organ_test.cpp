@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Voxels far apart cost what they are themselves, not what lies between them, and no count wraps.
+// Voxels far apart cost memory and time only for themselves, not for the space between them, and no
+// count overflows.
 #include "sparse_organ.h"
 
 #include <gtest/gtest.h>
@@ -67,16 +68,16 @@ std::vector<format::Run> rows_of_two(std::uint16_t rows, std::uint16_t planes,
   return runs;
 }
 
-// If all from the first voxel to the last were stored, these would be 64 G, 4.3 G and 66 M long,
-// and the plates, 2 m apart in voxels of 1 mm, 0.5 G.
-TEST(SparseOrgan, WhatIsClaimedCostsNothing) {
+// If everything from the first voxel to the last were stored, the arrays would have 64 G, 4.3 G and
+// 66 M elements, and those of the plates (2 m apart in voxels of 1 mm) 0.5 G.
+TEST(SparseOrgan, ClaimedSizesCostNothing) {
   expect_bounded(open_organ(organ_of_runs(rows_of_two(1024, 960, 65534)))->organ, "983040 rows");
   expect_bounded(open_organ(organ_of_runs(rows_of_two(1024, 64, 65534)))->organ, "65536 rows");
   expect_bounded(open_organ(organ_of_runs(rows_of_two(1, 1000, 65534)))->organ, "1000 rows");
   expect_bounded(open_organ(organ_of_runs(rows_of_two(491, 491, 2000)))->organ, "two plates");
 }
 
-// Each of these voxels has corners in as many tiles as there can be (lattice/tiles.h), all in one
+// Each of these voxels has corners in as many tiles as possible (lattice/tiles.h), all in one
 // plane, whose arrays each pass keeps.
 TEST(SparseOrgan, LoneVoxelsAcrossTilesAreBounded) {
   for (const std::uint32_t apart : {8U, 16U, 24U}) {
@@ -107,7 +108,7 @@ TEST(SparseOrgan, RowsFromEndToEndRun) {
 
 // ---- drawn organs -------------------------------------------------------------------------------
 
-// Runs (x, count) at (z, y), drawn without touching each other.
+// Random runs (x, count) at (z, y) that do not touch each other.
 using Cells = std::map<std::tuple<std::uint16_t, std::uint16_t, std::uint16_t>, std::uint16_t>;
 
 std::vector<format::Run> runs_of(const Cells& cells) {
@@ -141,8 +142,8 @@ std::vector<format::Run> draw(std::mt19937_64& random, const Shape& shape) {
   return runs_of(cells);
 }
 
-// Far rows and near ones, combs as dense as they may be without being cut and just dense enough to
-// be cut, sheets of single voxels, single planes and lines.
+// Far rows and near ones; combs that are just too sparse and just dense enough not to be cut;
+// sheets of single voxels; single planes and lines.
 constexpr Shape kShapes[] = {
     {400, {65000, 240, 240}, 40, 1}, {400, {65000, 4000, 4000}, 3, 1}, {3000, {900, 1, 1}, 2, 1},
     {2000, {16000, 1, 1}, 1, 8},     {2000, {18000, 1, 1}, 1, 9},      {2000, {16000, 9, 9}, 1, 8},
@@ -150,7 +151,7 @@ constexpr Shape kShapes[] = {
     {3000, {500, 60, 60}, 30, 1},    {60, {65000, 1, 65000}, 200, 1},
 };
 
-TEST(SparseOrgan, MemoryFollowsTheVoxels) {
+TEST(SparseOrgan, MemoryIsProportionalToTheVoxels) {
   std::mt19937_64 random(1971);
   for (const Shape& shape : kShapes) {
     for (int i = 0; i < 4; ++i) {
@@ -205,10 +206,10 @@ Sent wanted(const View& view, std::uint32_t plane_index) {
 // ---- tiles of the filter's passes ---------------------------------------------------------------
 
 // (slot, which of a row's lines of nodes, particle): a voxel takes from the first node of each line
-// and from the one behind it, which is the first of the next slot.
+// and from the next one, which is the first of the next slot.
 using Taken = std::vector<std::array<std::uint32_t, 3>>;
 
-// What lies at each place of a plane's array: index of slot or particle in the lattice.
+// The slot or particle, by its index in the lattice, at each place of a plane's array.
 std::map<std::uint32_t, std::uint32_t> placed(const View& view, std::uint32_t begin,
                                               std::uint32_t end, std::uint32_t plane_begin) {
   std::map<std::uint32_t, std::uint32_t> out;
@@ -282,7 +283,7 @@ Taken taken_by_rows(const View& view) {
   return all;
 }
 
-// Nodes that are said to be ready take nothing from later voxels.
+// Nodes that are marked as ready take nothing from later voxels.
 void expect_ready(const View& view, const Plane& plane) {
   for (std::uint32_t i = plane.tiles.voxel; i < plane.tiles.end; ++i) {
     const std::uint32_t place = (i - plane.tiles.voxel + 1) * kTileFloats;
@@ -312,7 +313,7 @@ TEST(SparseOrgan, TilesTakeFromEveryNodeAndVoxelOnce) {
 
 // ---- what is found ------------------------------------------------------------------------------
 
-// Every voxel is found where it is, and no other.
+// Every voxel is found where it is, and none elsewhere.
 TEST(SparseOrgan, EveryVoxelIsFound) {
   std::mt19937_64 random(77);
   for (const Shape& shape : kShapes) {
@@ -344,7 +345,7 @@ TEST(SparseOrgan, EveryVoxelIsFound) {
   }
 }
 
-// So are voxels and nodes in the file, which stores runs alone.
+// So are voxels and nodes of the file, which stores only runs.
 TEST(SparseOrgan, EveryVoxelAndNodeOfTheFileIsFound) {
   std::mt19937_64 random(78);
   for (int round = 0; round < 50; ++round) {
@@ -390,8 +391,8 @@ TEST(SparseOrgan, EveryVoxelAndNodeOfTheFileIsFound) {
   }
 }
 
-// Windows are in rising order, the nodes of each are in line, and each node of a row gets what the
-// row sends exactly once.
+// Windows are in rising order, the nodes of each window are in line, and each node of a row gets
+// what the row sends exactly once.
 TEST(SparseOrgan, WindowsReachEveryNodeOnce) {
   std::mt19937_64 random(8);
   for (const Shape& shape : kShapes) {
@@ -406,8 +407,8 @@ TEST(SparseOrgan, WindowsReachEveryNodeOnce) {
   }
 }
 
-// Runs that share nothing with each other: for each a slot per voxel and one behind them, four rows
-// of nodes, and windows on the lines at either side.
+// Runs that share nothing with each other: each has a slot for every voxel and one behind them,
+// four rows of nodes, and windows on the lines at either side.
 TEST(SparseOrgan, CountsOfRunsApart) {
   std::mt19937_64 random(5);
   for (int draws = 0; draws < 20; ++draws) {
@@ -449,7 +450,8 @@ TEST(SparseOrgan, CountsOfRunsApart) {
 
 // ---- a body beside another ----------------------------------------------------------------------
 
-// A bean, 26 x 20 x 36 voxels: a ball with another bitten out, no row of it with a hole.
+// A bean of 26 x 20 x 36 voxels: a ball with a part of another ball removed, without a hole in any
+// row.
 bool in_bean(int x, int y, int z) {
   const auto square = [](double a, double b, double c) { return a * a + b * b + c * c; };
   const double at[3] = {(x + 0.5 - 13) / 13, (y + 0.5 - 10) / 10, (z + 0.5 - 18) / 18};
@@ -487,13 +489,13 @@ Offset draw_offset(std::mt19937_64& random) {
           (axes & 4U) != 0 ? far(36) : static_cast<std::uint16_t>(below(random, 9))};
 }
 
-// The parts that a step walks through, each times its price in instructions.
+// The parts of the arrays that a step goes through, each times its price in instructions.
 std::uint64_t step_of(const Counts& c) {
   return c.slots * kPrices[kSlots].instructions + c.particles * kPrices[kNodes].instructions +
          c.rows * kPrices[kRows].instructions;
 }
 
-TEST(SparseOrgan, TwoBodiesCostTwice) {
+TEST(SparseOrgan, TwoBodiesCostTwiceAsMuch) {
   std::mt19937_64 random(2026);
   const auto alone = open_organ(tiny_organ(beans(nullptr)));
   const Session one = make_session(alone->organ, Config{});
@@ -516,8 +518,8 @@ Input into_the_first(const Config& config, int tick) {
   return {{{tip.x, tip.y, tip.z + config.needle[0].length_m}, {1, 0, 0, 0}}, 1};
 }
 
-// The first body feels the same, bit for bit, whatever lies far away from it.
-TEST(SparseOrgan, WhatIsFarAwayIsNotFelt) {
+// The first body moves in the same way, bit for bit, whatever lies far away from it.
+TEST(SparseOrgan, DistantBodiesHaveNoEffect) {
   std::mt19937_64 random(42);
   const auto alone = open_organ(tiny_organ(beans(nullptr)));
   Config config;

@@ -35,7 +35,7 @@ TEST(Snapshot, ContinuesWithTheSameBits) {
   std::vector<std::byte> saved(snapshot_bytes(p.a.kernel));
   ASSERT_EQ(snapshot(p.a.kernel, saved), Status::kOk);
   run(p.a.kernel, p.script, 1200, 3000);
-  run(p.b.kernel, p.script, 7, 400);  // somewhere else
+  run(p.b.kernel, p.script, 7, 400);  // a different state
   ASSERT_EQ(restore(p.b.kernel, saved), Status::kOk);
   run(p.b.kernel, p.script, 1200, 3000);
   expect_equal(p.a.kernel, p.b.kernel);
@@ -70,15 +70,15 @@ TEST(Snapshot, RefusesOtherOrgansConfigsSizesAndBytes) {
   EXPECT_EQ(hash(p.b.kernel), before);
 }
 
-// As a program asks that has a snapshot of another one: the number is in it, and another number
-// there is another program's.
-TEST(Snapshot, OfAnotherLayoutIsToldByItsNumber) {
+// For a program that has another program's snapshot: the snapshot contains the number of its
+// layout, and with another number it comes from another program.
+TEST(Snapshot, OfAnotherLayoutIsRecognisedByItsNumber) {
   const Pair p;
   Kernel kernel = p.a.kernel;
   std::vector<std::byte> bytes(snapshot_bytes(kernel));
   ASSERT_EQ(snapshot(kernel, bytes), Status::kOk);
   const std::uint64_t mine = state_layout();
-  constexpr std::size_t kAt = sizeof(std::uint64_t);  // behind the file's mark
+  constexpr std::size_t kAt = sizeof(std::uint64_t);  // after the file's mark
   EXPECT_EQ(std::memcmp(bytes.data() + kAt, &mine, sizeof mine), 0);
   ASSERT_EQ(restore(kernel, bytes), Status::kOk);
   const std::uint64_t other = mine + 1;
@@ -94,7 +94,7 @@ TEST(Reset, IsTheFirstState) {
   expect_equal(p.a.kernel, p.b.kernel);
 }
 
-// One byte changed in the first, a middle and the last element of every field of the state: the
+// One byte is changed in the first, a middle and the last element of every field of the state: the
 // difference names field and element, and the hash changes.
 TEST(Difference, NamesEveryFieldAndElement) {
   Pair p;
@@ -195,7 +195,7 @@ TEST(Events, EveryKindHasAName) {
   }
 }
 
-// The numbers are those of status.h, which programs write down; no other has a name.
+// The numbers are those of status.h, which programs store; no other number has a name.
 TEST(Status, EveryOneHasAName) {
   const std::set<std::uint32_t> all = {0,   100, 101, 102, 103, 104, 105, 106,
                                        107, 108, 200, 201, 300, 301, 302, 303};

@@ -34,8 +34,8 @@ double dot_of(Vector a, Vector b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// Where a line crosses a triangle: plane first, then three edge tests. `margin` is how far inside
-// the triangle, relative to its height; negative: outside.
+// Where a line crosses a triangle: the plane first, then three edge tests. `margin` is how far
+// inside the triangle the crossing lies, relative to its height; negative: outside.
 struct Crossing {
   double at, margin;
 };
@@ -57,7 +57,7 @@ std::optional<Crossing> crossing(Vector from, Vector way, Vector a, Vector b, Ve
 
 struct Hit {
   double at = 0;
-  bool found = false, doubtful = false;  // doubtful: some edge is grazed, either answer is right
+  bool found = false, doubtful = false;  // doubtful: an edge is grazed, and both answers are right
 };
 
 enum class Which { kFirst, kLast };
@@ -104,7 +104,7 @@ std::vector<Vec3> surface_of(const Kernel& kernel, const Organ& organ) {
   return places;
 }
 
-// Trilinear in the corners of the vertex's voxel.
+// The vertex's position, trilinear in the corners of its voxel.
 Vec3 moved_by_particles(const Organ& organ, std::span<const std::uint32_t> corners,
                         std::span<const Vec3> moved_m, std::size_t vertex) {
   const OrganVertex& v = organ.vertices[vertex];
@@ -223,7 +223,7 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
       const Vec3 tip = {0.025F + 0.02F * uniform(random), -0.0075F + 0.0175F * uniform(random),
                         0.04F + 0.015F * uniform(random)};
       const Vec3 way = random_direction(random);
-      const double reach = 0.02, skin = 2e-5;  // searched behind the tip, kept clear before it
+      const double reach = 0.02, skin = 2e-5;  // behind the tip; in front of it
       const Hit wanted = brute_force(places, organ->organ.triangles, tip - 0.02F * way, way,
                                      reach - skin, Which::kLast);
       if (wanted.doubtful) continue;
@@ -232,7 +232,7 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
       const Contact contact = find_contact(view.model, view.state, tip, way,
                                            contact_reach_m(view.model), {}, rest, place, flags);
       const bool found = contact == Contact::kFound;
-      if (flags != 0) {  // more triangles than a tick may test: an answer later, never a wrong one
+      if (flags != 0) {  // more triangles than a tick may test: a late answer, not a wrong one
         ASSERT_EQ(flags, static_cast<std::uint32_t>(kFlagContactBudget));
         ASSERT_FALSE(found);
         ++spent;
@@ -243,7 +243,8 @@ TEST(FindContact, FindsWhatBruteForceFindsOnADeformedSurface) {
       if (!found) continue;
       const Vector off = minus(wide(place), wide(tip - 0.02F * way));
       ASSERT_NEAR(std::sqrt(dot_of(off, off)), wanted.at, 2e-6);
-      // The rest place belongs to the crossing: it is no farther from it than tissue has moved.
+      // The rest position belongs to the crossing: it is at most as far from it as tissue has
+      // moved.
       ASSERT_LE(norm(rest - place), 1.75F * largest + 1e-7F);
     }
   }
@@ -261,7 +262,7 @@ TinyOrgan fine_plate() {
   return tiny;
 }
 
-// A needle that lies in a fine surface meets more triangles than a tick may test: this is counted
+// A needle that lies in a fine surface meets more triangles than a tick may test. This is counted
 // and flagged, and the needle goes no farther.
 TEST(FindContact, CountsWhenItsBudgetIsSpent) {
   const auto organ = open_organ(tiny_organ(fine_plate()));
@@ -279,14 +280,13 @@ TEST(FindContact, CountsWhenItsBudgetIsSpent) {
   out = tick(session.kernel, input);
   EXPECT_EQ(out.flags, static_cast<std::uint32_t>(kFlagContactBudget | kFlagInputClamped));
   EXPECT_EQ(out.tip_m.x, before.x);
-  input.handle.position_m.z += 0.05F;  // and away from it, it is free
+  input.handle.position_m.z += 0.05F;  // away from the surface it is free
   for (int i = 0; i < 20; ++i) out = tick(session.kernel, input);
   EXPECT_EQ(out.flags & kFlagContactBudget, 0U);
 }
 
-// A needle that lies nearly in the surface and goes through it, at a drawn distance behind its tip:
-// either it has met the surface, or it is flagged that this is not known; there is no third
-// outcome.
+// A needle lies nearly in the surface and goes through it, at a random distance behind its tip:
+// either the surface is found, or a flag says that it is not known; there is no third outcome.
 TEST(FindContact, TakesWhatItFoundWithinItsBudget) {
   const auto organ = open_organ(tiny_organ(fine_plate()));
   Session session = make_session(organ->organ, Config{});

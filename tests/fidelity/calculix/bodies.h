@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bodies of bodies.json in the kernel's lattice, at rest under their load.
 //
-// A case is a quarter of a layered block on a fixed bottom. A box in it is acted on: it is moved as
-// one (nodes held along one axis), pulled by a force spread evenly over its voxels, or, where the
-// box is a line, pulled by constraint particles as a needle's are. Values are named as in
+// A case is a quarter of a layered block on a fixed bottom. A box in it is loaded: it is moved as
+// one piece (nodes held along one axis), pulled by a force spread evenly over its voxels, or, if
+// the box is a line, pulled by constraint particles as those of a needle. Values are named as in
 // calculix.csv. Units: SI. Frame: rest frame, the block's low corner at 0.
 #pragma once
 
@@ -89,7 +89,7 @@ inline TinyMaterial material_of(const Layer& layer, double poisson) {
   return elastic(static_cast<float>(shear_pa), static_cast<float>(poisson));
 }
 
-// The middle of what is acted on lies at z = 0: places of constraint particles are floats.
+// The middle of the loaded box lies at z = 0, because positions of constraint particles are floats.
 inline TinyOrgan organ_of(const Bodies& bodies, const BodyCase& body, double poisson,
                           double edge_m) {
   const Node size = node_at(bodies.quarter_m, edge_m);
@@ -119,7 +119,8 @@ inline bool inside(Node node, Node low, Node high) {
 }
 
 // Mirrors at x = 0 and y = 0. What is moved along `axis` looks the same in both. So on a mirror
-// across that axis nothing moves sideways, and on any other nothing moves through it.
+// across that axis nothing moves within the mirror, and on any other mirror nothing moves through
+// it.
 inline void hold_mirrors(Rig& rig, std::size_t axis) {
   View view = rig.view();
   for_each_node(view, [&](Node node) {
@@ -138,7 +139,7 @@ inline void hold_mirrors(Rig& rig, std::size_t axis) {
 
 using NodeForces = std::map<std::uint32_t, double>;
 
-// Even load: every voxel of the box gives an eighth of its part to each corner.
+// Even load: every voxel of the box gives an eighth of its load to each corner.
 inline NodeForces even_load(const View& view, Node low, Node high, double force_n) {
   NodeForces forces;
   const double part = force_n / ((high.x - low.x) * (high.y - low.y) * (high.z - low.z)) / 8;
@@ -154,8 +155,8 @@ inline NodeForces even_load(const View& view, Node low, Node high, double force_
   return forces;
 }
 
-// Constraint particles in the voxels along a line beside the z axis, half an edge off it: with
-// their mirror images they make the line.
+// Constraint particles in the voxels along a line half an edge beside the z axis: together with
+// their mirror images they are the line.
 inline void hold_line(Rig& rig, Node low, Node high) {
   View view = rig.view();
   const float spring = 8 * view.model.slot_k[view.model.voxel_slot[0]];
@@ -179,7 +180,7 @@ inline void pull_line(Rig& rig, std::size_t axis, double force_n) {
 
 using Values = std::map<std::string, double>;
 
-// Floats let the nodes dither by 1e-6 of their displacement.
+// Rounding of floats lets the nodes dither by 1e-6 of their displacement.
 constexpr double kStill = 3e-6;
 
 inline Values move_box(Rig& rig, const BodyCase& body, Node low, Node high) {

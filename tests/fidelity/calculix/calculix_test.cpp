@@ -86,7 +86,7 @@ TEST_P(FidelityCalculix, ForceAndDisplacementAgree) {
     EXPECT_NEAR(voxels[last_voxel - 1].at(quantity) / value, 1, 0.05) << "voxels, " << quantity;
     EXPECT_NEAR(value / wanted, 1, 0.05) << quantity;
   }
-  // The force or displacement of what is acted on, for a needle the first probe.
+  // The force on the loaded box or its displacement; for a needle the first probe.
   const auto& [leading, wanted] = *bricks[last_brick].begin();
   double last_error = HUGE_VAL;
   for (const Values& values : voxels) {
@@ -102,8 +102,8 @@ INSTANTIATE_TEST_SUITE_P(Bodies, FidelityCalculix, testing::ValuesIn(all_bodies(
                                   std::to_string(std::lround(row.param.poisson * 100));
                          });
 
-// The comparison is sharp enough to tell materials apart: the punch with one Poisson ratio does not
-// pass for that with the other.
+// The comparison is sharp enough to tell materials apart: a punch on tissue with one Poisson ratio
+// does not pass as one on tissue with the other.
 TEST(FidelityCalculixSharpness, OtherPoissonRatioIsRefused) {
   const BodyCase& body = body_named("punch");
   const double wanted = reference("punch", 0.45).back().at("force_n");

@@ -4,9 +4,9 @@
 
     ./plot.py ../../../build/release/bin/stylet_calculix_lattice
 
-Runs that program for the lattice's values, reads calculix.csv, needs gnuplot. What is drawn is the
-leading value of each body (the force of what is moved, the mean displacement of what is pulled, the
-first probe of a needle) over that of CalculiX's finest bricks.
+Runs that program for the lattice's values, reads calculix.csv, needs gnuplot. It draws the leading
+value of each body (the force on a box that is moved, the mean displacement of one that is pulled,
+the first probe of a needle) over that of CalculiX's finest bricks.
 """
 import csv
 import json
@@ -51,7 +51,7 @@ def curves_of(bricks, voxels):
     """(points, gnuplot style, title) of one body."""
     for poisson, colour in COLOURS.items():
         wanted = leading(bricks[poisson])[-1][1]
-        # Nodes of a brick of twenty are half its edge apart.
+        # Nodes of a brick with twenty nodes are half its edge apart.
         for rows, nodes, look, name in (
                 (leading(voxels[poisson]), 1, "lw 2 pt 7 ps 0.6", "Stylet"),
                 (leading(bricks[poisson]), 0.5, "lw 1 dt 2 pt 6 ps 0.7", "CalculiX")):
@@ -64,7 +64,7 @@ def panel(title, curves, bare=False):
     data = "".join("".join(f"{x} {y}\n" for x, y in points) + "e\n" for points, _, _ in curves)
     if not bare:
         return f"set title '{title}'\nplot {plots}\n{data}"
-    # The last panel is the key of all: the same curves, out of sight.
+    # The last panel is the legend for all: the same curves, outside the visible range.
     return ("set key center center\nset border 0\nunset tics\nunset xlabel\nunset ylabel\n"
             "unset grid\nunset object 1\nunset title\nset yrange [1000:1001]\n"
             f"plot {plots}\n{data}")

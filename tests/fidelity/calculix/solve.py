@@ -25,7 +25,8 @@ CORNERS = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2,
 MIDDLES = [(1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2),
            (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)]
 BRICK = CORNERS + MIDDLES
-# Even loads as node loads: shares of a brick's corners and middles, of a line's ends and middle.
+# Even loads as node loads: the fractions for a brick's corners and middles, and for a line's ends
+# and middle.
 BRICK_SHARES = [-1 / 8] * 8 + [1 / 6] * 12
 LINE = [((0, 0, 0), 1 / 6), ((0, 0, 1), 4 / 6), ((0, 0, 2), 1 / 6)]
 
@@ -39,7 +40,7 @@ def halves(point_m, edge_m):
 
 
 def graded(place_m, edge_m, reach_m):
-    """Draws places within reach of an edge towards it, quadratically.
+    """Moves positions near the edge of the box towards it, quadratically.
 
     At the edge of a rigid body stress grows without bound, as r^-1/2 under a punch: bricks that
     shrink towards it, the last of them with its middle node at a quarter of its length, follow it.
@@ -169,7 +170,7 @@ def read_tables(path, kinds="displacements|total force"):
 
 
 def solve(folder, body, case, poisson, edge_m):
-    """Yields (quantity, value): what acts on the quarter, then the probes."""
+    """Yields (quantity, value): the force or displacement of the quarter, then the probes."""
     name = f"{case['name']}_{round(poisson * 100)}_{round(edge_m * 1e6)}"
     grid, loads = write_deck(folder / f"{name}.inp", body, case, poisson, edge_m)
     run = subprocess.run([CCX, name], cwd=folder, capture_output=True, text=True, check=False)

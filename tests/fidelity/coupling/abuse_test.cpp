@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// V25: whatever the device sends, in whatever phase, the force is finite, everything wrong is
-// counted, no fault latches, and the tissue comes back to rest.
+// V25: whatever the device sends, in any phase, the force is finite, every bad value is counted, no
+// fault latches, and the tissue comes back to rest.
 
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ void expect_back_at_rest(Rig& rig, const std::string& after) {
 struct Bad {
   std::string name;
   float value;
-  std::uint32_t flag_in_position, flag_in_rotation;  // 0: either way is right
+  std::uint32_t flag_in_position, flag_in_rotation;  // 0: both are right
 };
 
 std::vector<Bad> bad_values() {
@@ -229,10 +229,10 @@ TEST_P(V25Abuse, HugeLateralDrag) {
   expect_back_at_rest(rig, "lateral drag");
 }
 
-// Numbers that a snapshot may hold, but whose sums leave the range of floats: they give a fault and
-// no force, and on the way to it no number that a conversion does not define (which the sanitizers
-// would see). In paper mode slips are whole units.
-TEST(V25AbuseState, NumbersWithoutAnEndAreAFault) {
+// Numbers that a snapshot may contain, but whose sums leave the range of floats: they give a fault
+// and no force, and no number on the way is converted outside the range of its type (which the
+// sanitizers would see). In paper mode slips are whole units.
+TEST(V25AbuseState, InfiniteSumsAreAFault) {
   for (const Mode mode : {Mode::kPhysical, Mode::kPaper}) {
     Config config;
     config.mode = mode;

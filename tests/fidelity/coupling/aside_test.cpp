@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bend that moves a tip in contact within a tick (PHYSICS 6.4): along the needle it goes on
-// pressing what it holds; thrown aside, farther than it was off, it takes hold of the tissue it
-// comes to without force; thrown out of the tissue, it touches nothing.
+// A bend that moves a tip in contact within a tick (PHYSICS 6.4): moved along the needle, the tip
+// goes on pressing the tissue it holds; thrown aside by more than it was displaced before, it takes
+// hold of the tissue it comes to, without force; thrown out of the tissue, it touches nothing.
 
 #include <gtest/gtest.h>
 
@@ -59,8 +59,8 @@ struct Thrown {
   Phase phase() const { return rig.view().state.needle->phase; }
 };
 
-// The bounds are those of a spring's chord: 10 um and a tenth of what the tip was off
-// (PHYSICS 12.6).
+// The bounds are those of a spring's chord: 10 um and a tenth of the tip's displacement (PHYSICS
+// 12.6).
 float bound_of(float depth_m) {
   return 1e-5F + 0.1F * depth_m;
 }
@@ -88,8 +88,8 @@ TEST(Aside, AThrownTipHoldsWhatItComesToWithoutForce) {
     EXPECT_GT(norm_of(residual(thrown.before)), 0.9 * static_cast<double>(aside_m));
     EXPECT_LT(norm_of(residual(thrown.tip())), 1e-6);
     EXPECT_LT(norm_of(thrown.tip().position_m - thrown.tip_m), 1e-6);
-    // It holds the place at which it is, except for what the attached tissue gives, and its
-    // gradient over the way.
+    // The tip holds the tissue where it is now, except for how far the attached tissue gives way,
+    // and for the deformation gradient over that way.
     const Vec3 held_m = thrown.before.position_m - residual(thrown.before);
     const double gives_m = norm_of(held_m - unloaded_place(thrown.rig.view().model, thrown.before));
     const double edges = static_cast<double>(aside_m) / static_cast<double>(kEdgeM);

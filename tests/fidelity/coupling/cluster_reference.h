@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tissue's energy and internal friction, by the textbook, in double precision: an independent
-// check of what the kernel books. Slow: every voxel, every time.
+// check of the kernel's energy books. It is slow: it computes every voxel every time.
 //
 // For each voxel of edge h (PHYSICS 2.3, 2.4), k = G h fill:
 // U = k/2 sum |x_i - R q_i - t|^2 + (chi - 1) k/2 sum |e_i|^2 + k h^2 nu/(1 - 2 nu) (tr R^T F -
@@ -151,14 +151,14 @@ class ClusterReference {
 
   // The tip in contact is a cone of radius a that goes over into a cylinder at the depth l = a pi /
   // (2 tan 15 degrees): F = k d^2 / (2 l), then k (d - l / 2). The lattice's part of the depth, L
-  // F, is not the spring's. Where the lattice gives way faster, by L g F^2, the spring carries
-  // more, so that in all it stores L g F^3 / 3. Of the force, q is missing; at most the difference
-  // to a cone with (1 - phi) k may be missing.
+  // F, is not part of the spring's. If the lattice gives way faster, by L g F^2, the spring carries
+  // more and stores L g F^3 / 3 in all. The force is less by q, which may be at most the difference
+  // to a cone with (1 - phi) k.
   struct ContactReference {
     double l, lattice, growth, most;  // growth up to the force `most`
 
     double force(double k, double d) const { return d < l ? k * d * d / (2 * l) : k * (d - l / 2); }
-    // Of all the tissue where the spring is this deep.
+    // The force of all the tissue where the spring is this deep.
     double depth(double k, double spring) const {
       double low = spring, high = spring;
       while (high - lattice * force(k, high) < spring) high = 2 * high + l;
@@ -202,7 +202,8 @@ class ClusterReference {
     for (std::uint32_t i = 0; i < tip.support_count; ++i) {
       const Support& s = tip.support[i];
       off = off + s.weight * (tip.position_m - s.goal_m);
-      // Weights go with the roots of stiffnesses; without them they are those of one tissue.
+      // Weights are proportional to the roots of the stiffnesses; without stiffnesses they are
+      // those of a single tissue.
       const MaterialModel& of = head.material[view.model.slot_material[s.slot]];
       const double w =
           static_cast<double>(s.weight) / std::sqrt(static_cast<double>(of.lattice_shear_pa));
@@ -226,7 +227,7 @@ class ClusterReference {
     const double k = 1 / (1 / own + lattice);
     const double punch =
         4 * static_cast<double>(m.shear_pa) * radius / (1 - static_cast<double>(m.poisson_ratio));
-    // Where the lattice is softer than the punch, the cone ends at a narrower one.
+    // If the lattice is softer than the punch, the cone ends at a narrower cylinder.
     const double narrower = std::min(1.0, k / punch);
     const double relaxed = k * (1 - static_cast<double>(m.relaxing_fraction));
     const double grows = 0.06 - 0.1 * squares;

@@ -76,8 +76,8 @@ Vec3 start_of(const Press& p, std::uint16_t voxels) {
 // At rest, pressed in slowly.
 double force_at_rest(Rig& rig, Vec3 start_m, double depth_m) {
   const auto depth = static_cast<float>(depth_m);
-  // A way of 50 um in one tick is pressed in from its beginning; of a shorter one up to 20 um are
-  // not noticed.
+  // If the tip moves 50 um in a tick, contact begins where it first touches; if it moves less,
+  // contact may begin up to 20 um later.
   constexpr float kFirstM = 50e-6F;
   drive(rig, start_m, kFirstM, 0.05F);
   drive(rig, {kFirstM, start_m.y, start_m.z}, depth, 0.05F);
@@ -213,7 +213,7 @@ TEST(Contact, TissueThatStiffensIsFeltAtTheTipWhateverTheVoxel) {
   EXPECT_GT(seen, 25);
 }
 
-// The last contact before the skin is punctured, of a slow needle. Beyond 12 G h^2 voxels are
+// The last moment of contact before a slow needle punctures the skin. Beyond 12 G h^2 voxels are
 // softer than the film (PHYSICS 18.4).
 TEST(Contact, ThinSkinIsPuncturedAtTheDepthOfAFilmWhateverTheVoxelItIsSpreadOver) {
   constexpr std::uint16_t kVoxels = 24;
@@ -288,8 +288,8 @@ TEST(Contact, NeitherVoxelNorPlaceIsFelt) {
   }
 }
 
-// Long before contact is as wide as the needle, it is that of a cone: force with the tangent of the
-// half angle.
+// Long before contact is as wide as the needle it is that of a cone: the force is proportional to
+// the tangent of the half angle.
 TEST(Contact, ShallowOneGoesAsTheTangentOfTheHalfAngle) {
   for (const double degrees : {5.0, 15.0, 40.0, 60.0, 80.0}) {
     const Press p = {1.5e-3, degrees * kPi / 180, 5e-3, 0.45, 0.2e-3};
@@ -301,8 +301,9 @@ TEST(Contact, ShallowOneGoesAsTheTangentOfTheHalfAngle) {
   }
 }
 
-// How far a force presses the lattice in, over the force, in 1 / (G h); the force in G h^2; the
-// sums of the squared weights, and of these times how far from the voxel's middle they act.
+// How far a force presses the lattice in, divided by the force, in 1 / (G h); the force, in G h^2;
+// the sum of the squared weights, and the sum of these times the distance from the voxel's middle
+// at which they act.
 struct Give {
   double per_force, force, squares, beside;
 };
@@ -328,9 +329,9 @@ Give give_of(double poisson, Vec3 place, double depth_in_edges, std::uint16_t vo
   return give;
 }
 
-// The constants kSurfaceGive and those after it (PHYSICS 8.4): what the lattice itself gives under
-// a small force, in blocks of 16 and of 32 voxels, and, extrapolated from both, in one without an
-// end.
+// The constants kSurfaceGive and those after it (PHYSICS 8.4): how far the lattice itself gives way
+// under a small force, in blocks of 16 and of 32 voxels, and, extrapolated from both, in an
+// infinite one.
 TEST(Contact, LatticeGivesWayAsTheFormulaSays) {
   for (const double poisson : {0.3, 0.39, 0.48}) {
     for (const Vec3 place : kPlaces) {
@@ -351,8 +352,8 @@ TEST(Contact, LatticeGivesWayAsTheFormulaSays) {
   }
 }
 
-// And what it gives below a layer of voxels that is stiffer or softer (kPlaceMean and the constants
-// after it); the squares and places are those of one tissue.
+// And how far it gives way under a layer of voxels that is stiffer or softer (kPlaceMean and the
+// constants after it); the sums of squares and places are those of a single tissue.
 TEST(Contact, LatticeGivesWayBelowAnotherLayerAsTheFormulaSays) {
   Draw draw = {std::mt19937_64(4)};
   for (int i = 0; i < 24; ++i) {
@@ -373,7 +374,7 @@ TEST(Contact, LatticeGivesWayBelowAnotherLayerAsTheFormulaSays) {
   }
 }
 
-// A ramp, then a hold: the force that is missing follows phi F with the time that is written.
+// A ramp, then a hold: the part that has relaxed approaches phi F with the material's time.
 TEST(Contact, AllOfItRelaxesAsWritten) {
   constexpr std::uint16_t kVoxels = 12;
   TinyMaterial relaxing;
@@ -389,7 +390,7 @@ TEST(Contact, AllOfItRelaxesAsWritten) {
       const auto see = [&](const Output& out) {
         const double whole = p.sneddon_n(std::max(static_cast<double>(out.tip_m.x), 0.0));
         missing += (1 - std::exp(-1e-3 / 0.4)) * (0.5 * whole - missing);
-        const bool moving = ++ticks < 100;  // of the tissue: its inertia is felt
+        const bool moving = ++ticks < 100;  // of the tissue, whose inertia is felt
         const double off = -static_cast<double>(out.force_n.x) - (whole - missing);
         if (out.tip_m.x > 3.999e-3F && !moving) worst = std::max(worst, std::fabs(off));
       };

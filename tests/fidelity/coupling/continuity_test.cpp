@@ -57,8 +57,8 @@ struct Jumps {
 };
 
 // Watches the ticks in which the number of CPs changes while the needle stays in the tissue. A jump
-// is by how much the force then differs from the mean of the ticks before and after: the recoil of
-// a puncture swings on through all three.
+// is the difference between the force in that tick and the mean of the ticks before and after, so
+// that the recoil of a puncture, which goes on through all three, does not count.
 class Watch {
  public:
   explicit Watch(double step_m) : step_m_(step_m) {}
@@ -84,7 +84,7 @@ class Watch {
   Jumps jumps;
 
  private:
-  double step_m_, pending_n_ = 0;  // what one step of the needle may change, of the event just seen
+  double step_m_, pending_n_ = 0;  // allowed for a step; by the last event
   std::uint32_t last_count_ = 0;
   Vec3 last_force_ = {}, last_change_ = {}, event_change_ = {}, change_before_ = {};
 };
@@ -111,8 +111,8 @@ TEST(Continuity, AddingAndRemovingParticlesIsNotFelt) {
 }
 
 // The spring of the inserted tip is stiffer than that of contact, and takes over its force. (Tissue
-// that recoils in the same tick changes some of it. Without taking over, the spring alone tripled
-// the force.)
+// that recoils in the same tick changes a part of it. When the spring did not take over the force,
+// the force tripled.)
 TEST(Continuity, PunctureKeepsTheForceAcross) {
   Rig rig = make_rig(gel(), Config{});
   Vec3 tip = {4e-3F, kStart.y, kStart.z};
@@ -140,7 +140,8 @@ TEST(Continuity, FirstTouchStartsFromZero) {
   bool touched = false;
   drive(rig, kStart, 2e-3F, 10e-3F, [&](const Output& out) {
     if (out.phase != Phase::kContact) return;
-    // Contact is sought up to one step late: the needle's way of two steps, with one spring.
+    // Contact may be found one step late, so the needle may press in by its way of two steps, with
+    // one spring.
     const double allowed = 2 * 10e-6 * static_cast<double>(rig.view().state.tip->stiffness_n_per_m);
     ASSERT_LT(norm_of(out.force_n - last), allowed);
     last = out.force_n;
@@ -149,9 +150,9 @@ TEST(Continuity, FirstTouchStartsFromZero) {
   EXPECT_TRUE(touched);
 }
 
-// Where nothing relaxes there is no memory that could take the force away. What is left of it when
-// a contact ends, within its skin, is a pull, at most as large as the skin allows.
-TEST(Continuity, AContactThatDoesNotRelaxIsLetGoWithoutAPull) {
+// If nothing relaxes, no memory can take the force away. When a contact ends, the force that is
+// left within its skin is a pull, at most as large as the skin allows.
+TEST(Continuity, AContactThatDoesNotRelaxEndsWithoutAPull) {
   constexpr double kSkinM = 2e-5;
   TinyOrgan tiny = gel();
   tiny.materials[0].relaxing_fraction = 0;
@@ -220,8 +221,8 @@ TEST(Continuity, ATrackElsewhereIsPuncturedAgain) {
   EXPECT_EQ(count_of(rig.kernel(), EventKind::kReentry), 0U);
 }
 
-// Two voxels hold the tip with different forces. As it cuts towards the plane between them, and
-// their weights become more alike, it must not be forgotten what each of them holds.
+// Two voxels hold the tip with different forces. As it cuts towards the plane between them and
+// their weights become more alike, each of them must keep its force.
 TEST(Continuity, VoxelsThatHoldTheTipDifferentlyGoOnDoingSo) {
   TinyOrgan tiny;
   tiny.nx = 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// V24: where the hand's work goes, over insert, hold, retract and back to rest:
+// V24: where the hand's work goes, over an insertion, a hold, a retraction and the return to rest:
 //   work = stored + kinetic + friction + cutting + relaxation + damping and drag of the tissue.
 // Stored energy, damping and drag are computed here, by the textbook and in double precision; only
 // friction, cutting and relaxation are the kernel's own books.
@@ -16,7 +16,7 @@
 namespace stylet::test {
 namespace {
 
-// Losses of the tissue, gathered around the kernel's own substep.
+// Losses of the tissue, measured around the kernel's own substep.
 struct Losses {
   const ClusterReference* reference;
   void (*step)(const Kernel&);
@@ -52,8 +52,8 @@ void step_with_losses(const Kernel& kernel) {
   }
 }
 
-// Work of the hand on a needle that moves on by `way_m`, where the forces at both ends have this
-// sum.
+// Work of the hand on a needle that moves by `way_m`, if the forces at both ends of the way have
+// this sum.
 double hand_work(Vec3 way_m, Vec3 sum_n) {
   return -0.5 * (static_cast<double>(sum_n.x) * static_cast<double>(way_m.x) +
                  static_cast<double>(sum_n.y) * static_cast<double>(way_m.y) +
@@ -231,7 +231,8 @@ TEST_F(V24Energy, KernelsStoredEnergyIsTheTextbooks) {
   EXPECT_LT(worst, 1e-5 * most) << "at tick " << at << " of " << most << " J";
 }
 
-// None of the losses falls, except by the last place of a float: springs hold up to 3e-4 J here.
+// None of the losses ever decreases, except by the last place of a float: springs store up to 3e-4
+// J here.
 TEST_F(V24Energy, NothingIsEverUndissipated) {
   constexpr double kRoundingJ = 1e-11;
   for (std::size_t i = 1; i < books_->size(); ++i) {
@@ -242,7 +243,7 @@ TEST_F(V24Energy, NothingIsEverUndissipated) {
   }
 }
 
-// What is left for damping and drag does not fall either. Forces are known at ticks only, so the
+// What is left for damping and drag never decreases either. Forces are known at ticks only, so the
 // books of a tick in which they change by some per cent are right up to the square of that.
 TEST_F(V24Energy, TheRemainderIsNotGivenBack) {
   double returned = 0;
@@ -270,7 +271,7 @@ TEST_F(V24Energy, AuditNoticesAForgottenPart) {
 // ---- energy from nowhere
 // -------------------------------------------------------------------------
 
-// What was dissipated: the hand's work less what is stored; and the most by which that ever fell.
+// What was dissipated: the hand's work less what is stored; and by how much that ever decreased.
 struct Observer {
   double work_j = 0, most_j = 0, fall_j = 0;
   Vec3 tip_m = {}, force_n = {};
@@ -288,7 +289,7 @@ struct Observer {
   }
 };
 
-// Straight from one place to another, in steps of 20 um.
+// Moves straight from one place to another, in steps of 20 um.
 void go(Rig& rig, Observer& observer, Vec3 from_m, Vec3 to_m) {
   const auto ticks = static_cast<int>(norm_of(to_m - from_m) / 20e-6);
   for (int i = 1; i <= ticks; ++i) {
@@ -297,8 +298,8 @@ void go(Rig& rig, Observer& observer, Vec3 from_m, Vec3 to_m) {
   }
 }
 
-// A tip that slides in over an edge has not been pressed to its depth there: its contact begins
-// with the tissue that it lies in, and without force.
+// A tip that slides in over an edge has not been pressed in to its depth: its contact begins in the
+// tissue in which it lies, without force.
 TEST(EnergyFromNowhere, ContactThatBeginsDeepBeginsWithoutForce) {
   Rig rig = make_rig(liver_block(), Config{});
   Observer observer;
@@ -313,7 +314,7 @@ TEST(EnergyFromNowhere, ContactThatBeginsDeepBeginsWithoutForce) {
   EXPECT_LT(observer.fall_j, 1e-8);
 }
 
-// Drawn back, it comes out, and does not begin a contact in every tick.
+// When it is drawn back it comes out, and does not begin a new contact in every tick.
 TEST(EnergyFromNowhere, TipThatSlidInComesOut) {
   Rig rig = make_rig(liver_block(), Config{});
   Observer observer;
@@ -325,7 +326,8 @@ TEST(EnergyFromNowhere, TipThatSlidInComesOut) {
   EXPECT_LT(observer.fall_j, 1e-8);
 }
 
-// The entry is held where the fit of its voxel has it, and the loaded tip has a part in that fit.
+// The entry is held where the match of its voxel puts it, and the loaded tip takes part in that
+// match.
 TEST(EnergyFromNowhere, PunctureAddsNoneInEitherMode) {
   for (const Mode mode : {Mode::kPhysical, Mode::kPaper}) {
     Config config;
@@ -340,7 +342,7 @@ TEST(EnergyFromNowhere, PunctureAddsNoneInEitherMode) {
   }
 }
 
-// A bevel that cuts against a load across the needle does so at the cost of the hand that pushes.
+// If a bevel cuts against a load across the needle, the pushing hand does the work.
 TEST(EnergyFromNowhere, BevelCutsAgainstALoadForWork) {
   for (const float side : {-3e-3F, 3e-3F}) {
     Config config;
@@ -358,8 +360,8 @@ TEST(EnergyFromNowhere, BevelCutsAgainstALoadForWork) {
   }
 }
 
-// How the tissue is stepped, and how many ticks are taken for a millisecond. With true mass tissue
-// is quick, and what a fast hand does to it is known only as well as the force between two poses.
+// How the tissue is stepped, and how many ticks a millisecond has. With true mass tissue is quick,
+// and the work of a fast hand is known only as well as the force between two poses.
 struct Stepped {
   Inertia inertia;
   std::uint32_t substeps;
@@ -395,8 +397,8 @@ void expect_no_gain_when_shaken(const Stepped& stepped, float relaxation_time_s,
       << hertz << " Hz, tau " << relaxation_time_s << " s, " << stepped.substeps << " substeps";
 }
 
-// The branch that relaxes follows the needle's way alone, while the tissue swings as it likes: at
-// its resonances, above them, and far below.
+// The branch that relaxes follows only the needle's way, while the tissue swings freely: at its
+// resonances, above them, and far below.
 TEST(EnergyFromNowhere, ANeedleShakenInRelaxingTissueGainsNone) {
   for (const Stepped& stepped : kStepped) {
     for (const float relaxation_time_s : {0.01F, 0.2F}) {
@@ -407,10 +409,10 @@ TEST(EnergyFromNowhere, ANeedleShakenInRelaxingTissueGainsNone) {
   }
 }
 
-// A tip that sticks in a layer is let go by the hand that pressed it, and the tissue comes back
-// with it, in a tick by more than the shaft's friction holds. That friction must not push the
-// needle on: it once did, and the hand had 22 uJ for nothing. (The jerk at which the hand turns
-// back costs 0.2 uJ: its work is known only as well as the force between two poses.)
+// A tip sticks in a layer, and the hand that pressed it moves back. The tissue comes back with the
+// tip, in one tick by more than the shaft's friction holds. That friction must not push the needle
+// on: it once did, and gave the hand 22 uJ. (The jerk with which the hand turns back costs 0.2 uJ:
+// its work is known only as well as the force between two poses.)
 TEST(EnergyFromNowhere, FrictionOfAShaftDrawnBackDoesNotPushIt) {
   TinyOrgan tiny = liver_block();
   tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
@@ -464,9 +466,9 @@ TEST(EnergyFromNowhere, ElasticNeedleSwungOnTissueStoresWhatTheHandGave) {
   EXPECT_LT(fall_j, 1e-8);
 }
 
-// Voxels of an eighth of a millimetre are pushed by a tip to a hundred times their length, at half
-// a metre a second: farther in a substep than forces travel. (If the tissue followed, it gained 57
-// uJ here; in a case that the fuzzer found, kilojoules, until there were no numbers any more.)
+// A tip pulls voxels of an eighth of a millimetre to a hundred times their length, at half a metre
+// a second, which in a substep is farther than forces travel. (When the tissue followed, it gained
+// 57 uJ here, and in a case that the fuzzer found kilojoules, until numbers were infinite.)
 TEST(EnergyFromNowhere, TissueDraggedFarHoldsNoMoreThanTheHandGave) {
   TinyOrgan thread;
   thread.nx = 6;
@@ -487,8 +489,8 @@ TEST(EnergyFromNowhere, TissueDraggedFarHoldsNoMoreThanTheHandGave) {
 }
 
 // A thin needle whose tip sticks in tissue is pressed beyond its critical load and bows. The tip
-// yields to the bow as much as the tissue does. Under a load that did not, the needle swung from
-// tick to tick, by up to 71 mN, until it sprang out of the tissue.
+// gives way to the bow as much as the tissue does. When the load on it did not give way, the needle
+// swung from tick to tick by up to 71 mN, until it sprang out of the tissue.
 TEST(EnergyFromNowhere, ElasticNeedlePressedUntilItBowsCarriesItsCriticalLoad) {
   Config config;
   config.needle[0].length_m = 0.1F;

@@ -4,9 +4,9 @@
 
 The half space is linear and axisymmetric (bilinear rings, their change of volume averaged over
 each), condensed to its surface layer by layer. The skin on it is a row of rings that stretch, by
-any amount, and do not bend: energy of its stretches in plane stress, incompressible. The point
-is a cone of 15 degrees, which may slide; contact stays far narrower than the dimple. Newton's steps
-lead from depth to depth. Units: SI.
+any amount, and do not bend: energy of its stretches in plane stress, incompressible. The point is a
+cone of 15 degrees, on which the skin may slide; contact stays far narrower than the dimple.
+Newton's steps lead from depth to depth. Units: SI.
 
     ./film.py            writes film.csv (a minute)
     ./film.py --check    solves every fourth case anew and compares
@@ -22,7 +22,7 @@ COLUMNS = ["youngs_pa", "poisson", "membrane_n_per_m", "depth_m", "force_n"]
 HALF_ANGLE_RAD = np.radians(15)
 FINEST_M, GROWTH, EXTENT_M = 2.5e-5, 1.06, 0.5
 DEPTHS_M = [0.5e-3, 1e-3, 2e-3, 4e-3, 8e-3]
-# Of one tissue: forces go with its modulus where skins do.
+# One tissue is enough: if skins scale with its modulus, forces do.
 YOUNGS_PA = 20000.0
 POISSONS = [0.3, 0.45, 0.49]
 MEMBRANES_N_PER_M = [100.0, 500.0, 2000.0, 5000.0]
@@ -38,7 +38,8 @@ def places(growth):
 
 
 def strip(r, height_m, poisson):
-    """Stiffness of a strip of rings, nodes (r, upper), (r, lower) in turn, u_r and u_z of each."""
+    """Stiffness of a strip of rings; nodes (r, upper), (r, lower) alternate, with u_r and u_z of
+    each."""
     volume = YOUNGS_PA * poisson / ((1 + poisson) * (1 - 2 * poisson))
     shear = YOUNGS_PA / (2 * (1 + poisson))
     law = np.diag([2 * shear, 2 * shear, 2 * shear, shear])
@@ -117,7 +118,8 @@ def stretch(r, membrane_n_per_m, x):
 def forces(r, surface, membrane_n_per_m):
     """Force of the cone at each depth."""
     flank = np.tan(HALF_ANGLE_RAD)
-    # Of the cone's surface, beside the skin's: within a thousandth of the force.
+    # Stiffness of the cone's surface, next to the skin's: it changes the force by less than a
+    # thousandth.
     hard = 1e3 * membrane_n_per_m
     slope = np.array([1 / flank, 1.0])
     x, out = np.zeros(len(surface)), []
@@ -144,7 +146,7 @@ def forces(r, surface, membrane_n_per_m):
 
 
 def cases(every):
-    """Rows of the table, of every so many skins."""
+    """Rows of the table, of every `step`-th skin."""
     r = places(GROWTH)
     number = 0
     for poisson in POISSONS:

@@ -14,7 +14,7 @@ namespace stylet::test {
 namespace {
 
 constexpr float kEdgeM = 4e-3F, kUnitM = 5e-3F;
-constexpr double kUnit = 5e-3;  // same, for expected values
+constexpr double kUnit = 5e-3;  // the same, for expected values
 constexpr float kSpring = 50;
 constexpr double kStiffness = 80.0 * 50 / (80 + 50);  // k = 2500 Pa * 4 mm = 10 N/m
 constexpr double kTolerance = 0.01;
@@ -54,7 +54,7 @@ OneParticle one_particle(const TinyMaterial& material, std::uint32_t substeps = 
   tiny.voxel_edge_m = kEdgeM;
   tiny.materials = {material};
   Config config = short_needle();
-  config.inertia = Inertia::kAddedMass;  // with it attached tissue keeps a velocity it is given
+  config.inertia = Inertia::kAddedMass;  // so that attached tissue keeps its velocity
   config.substeps = substeps;
   config.surround_drag_per_s = 0;
   OneParticle one = {make_rig(tiny, config, Tissue::kFixed), {}};
@@ -62,7 +62,7 @@ OneParticle one_particle(const TinyMaterial& material, std::uint32_t substeps = 
   return one;
 }
 
-// Advances at a speed until the force is steady; the force then.
+// Advances at a speed until the force is steady; returns that force.
 double slide(OneParticle& one, double speed, double way_m, double* peak_out = nullptr) {
   const int ticks = static_cast<int>(way_m / (std::fabs(speed) * 1e-3));
   double force = 0, peak = 0;
@@ -107,7 +107,8 @@ TEST(V22Friction, SlidesAtCoulombPlusViscousFriction) {
 }
 
 // Near the Stribeck velocity the static part has decayed by exp(-(v / v_s)^2). The viscous part is
-// large enough that friction grows with speed: else sliding on a spring is stick-slip, not steady.
+// so large that friction grows with speed; otherwise sliding on a spring would be stick-slip, not
+// steady.
 TEST(V22Friction, StribeckPartDecaysWithTheSlipSpeed) {
   for (const double ratio : {0.25, 0.5, 1.0, 2.0}) {
     TinyMaterial material = rubbing(10, 14, 400);
@@ -148,11 +149,12 @@ TEST(V22Friction, DoesNotDriftUnderAForceBelowStaticFriction) {
   const double drift =
       static_cast<double>(one.rig.view().state.shaft[0].arc_m) - static_cast<double>(arc_before);
   EXPECT_LT(std::fabs(drift), 1e-9);
-  // The place of the tissue against the needle, from the force: the handle's float is 4e-9 m.
+  // The position of the tissue relative to the needle, from the force: the handle's position as a
+  // float has steps of 4e-9 m.
   EXPECT_LT(std::fabs(one.force_at(0) - force_before) / kStiffness, 1e-9);
 }
 
-// A needle in a block of 40 mm that offers nothing but friction.
+// A needle in a block of 40 mm that resists it only by friction.
 Rig friction_block() {
   TinyOrgan tiny;
   tiny.nx = 8;
@@ -193,9 +195,9 @@ TEST(V22Friction, TissueThatMovesOverARestingNeedleSlidesByTheSameRule) {
   }
 }
 
-// Tissue may be dragged within a tick, by another part of the needle, farther than friction holds.
-// The fit that finds it there pulls with at most twice the friction of a unit, and the rest is lost
-// in a slip; in the next ticks it pulls with the friction.
+// Another part of the needle may drag tissue within a tick farther than friction holds. The match
+// that finds it there pulls with at most twice the friction of a unit, and the rest is lost in a
+// slip; in the next ticks it pulls with the friction.
 TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   constexpr double kFrictionN = 2 * kUnit;
   for (const double way : {0.2e-3, -0.4e-3, 1e-3, -1.5e-3}) {
@@ -217,8 +219,8 @@ TEST(V22Friction, TissueDraggedPastARestingNeedleSlipsBeyondTwiceItsFriction) {
   }
 }
 
-// The same of a tip at rest: it pulls with at most twice its cutting force, whichever way the
-// tissue is dragged.
+// The same for a tip at rest: it pulls with at most twice its cutting force, in whatever direction
+// the tissue is dragged.
 TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
   constexpr double kCutN = 5e-3;
   for (const double way : {0.2e-3, -0.2e-3, 1e-3, -1e-3}) {
@@ -247,7 +249,7 @@ TEST(V22Friction, TissueDraggedAtARestingTipPullsWithTwiceItsCutAtMost) {
   }
 }
 
-// What drives a particle in each substep of a tick.
+// The force that drives a particle in each substep of a tick.
 std::vector<Vec3> places_seen;
 void (*step_below)(const Kernel&) = nullptr;
 void note_place(const Kernel& kernel) {
@@ -269,8 +271,8 @@ TEST(V22Friction, HandsStepPullsEvenlyOverTheSubsteps) {
   }
 }
 
-// Voxels may be larger than the radius over which a needle's field dies out. The springs of its
-// particles are finite and positive all the same, and its friction is the one that is written.
+// Voxels may be larger than the radius over which a needle's field dies out. Even then the springs
+// of its particles are finite and positive, and its friction is that of the material.
 TEST(V22Friction, VoxelsLargerThanTheFarFieldHoldTheNeedle) {
   TinyOrgan tiny;
   tiny.nx = 3;

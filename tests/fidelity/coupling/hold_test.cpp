@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A needle in the tissue that is held, after its insertion and after a step to the side, relaxes as
+// A needle that is held in the tissue, after its insertion or after a step to the side, relaxes as
 // the material says, for any tissue, voxel, needle, way and speed.
 //
 // Expected is the quasi-linear law (Fung): the force of a displacement d is that of the elastic
@@ -7,7 +7,7 @@
 // tau; how far depends on what has relaxed before. After a ramp of the duration T:
 //   m = d (1 - g), g = tau / T (1 - exp(-T / tau)).
 // For a needle that slides at the speed v, each length L of slip renews the tissue it touches
-// (kRenewalLengthM), under a friction and a cutting force that stay as they are:
+// (kRenewalLengthM), while friction and cutting force stay as they are:
 //   m' = (d - m) / tau - v / L m = 0, and d - phi m is what carries the force.
 // Of the force at the end of the ramp the fraction phi g / (1 - phi + phi g) relaxes, of that of
 // the insertion phi x / (1 - phi + x), with x = v tau / L.
@@ -76,7 +76,7 @@ Scene drawn_scene(Draw& draw) {
   return s;
 }
 
-// Forces as its stiffness says: of a punch, and of a cylinder drawn along in an annulus.
+// Forces by its stiffness: of a punch, and of a cylinder that is pulled along in an annulus.
 TinyMaterial tissue_of(const Scene& s, double youngs_pa) {
   const double shear_pa = youngs_pa / (2 * (1 + s.poisson));
   TinyMaterial m;
@@ -203,8 +203,8 @@ std::vector<Held> drawn_holds(std::uint64_t seed, int count, bool layered) {
   return all;
 }
 
-// Slower than this, the tissue already relaxes while the needle's way in loads it, and the force of
-// an endless slide is only approximately the expected one.
+// Slower than this, the tissue already relaxes while the insertion loads it, and the force of an
+// endless slide is only approximately the expected one.
 constexpr double kSlow = 5, kSlowTolerance = 0.2;
 
 void expect_as_written(const std::vector<Held>& all, double tolerance) {
@@ -230,7 +230,7 @@ TEST(Hold, RelaxesAsWrittenAcrossLayers) {
   expect_as_written(drawn_holds(1, 8, true), 0.03);
 }
 
-// In one draw in twenty, one of the four figures is 2 to 3 % off.
+// In one random case of twenty, one of the four figures is 2 to 3 % off.
 TEST(HoldExhaustive, RelaxesAsWritten) {
   expect_as_written(drawn_holds(2, 100, false), 0.03);
   expect_as_written(drawn_holds(3, 50, true), 0.03);

@@ -97,7 +97,7 @@ class V23PhaseCurve : public testing::Test {
 };
 Curve* V23PhaseCurve::curve_ = nullptr;
 
-TEST_F(V23PhaseCurve, RisesMonotonouslyToThePunctureForce) {
+TEST_F(V23PhaseCurve, RisesMonotonicallyToThePunctureForce) {
   const Curve& c = *curve_;
   EXPECT_EQ(c.force[c.contact - 1], 0);
   for (std::size_t i = c.contact; i + 1 < c.puncture; ++i) {
@@ -113,7 +113,7 @@ TEST_F(V23PhaseCurve, RisesMonotonouslyToThePunctureForce) {
   EXPECT_LE(slope, 200);
 }
 
-// Convex or linear: over the quarters of the way, no slope is less than the one before it by more
+// Convex or linear: in no quarter of the way is the slope lower than in the quarter before by more
 // than a tenth of the mean.
 TEST_F(V23PhaseCurve, RiseIsConvexOrLinear) {
   const Curve& c = *curve_;
@@ -139,8 +139,8 @@ TEST_F(V23PhaseCurve, DropsAtThePuncture) {
 TEST_F(V23PhaseCurve, InsertionGrowsWithDepthByTheFrictionWritten) {
   const Curve& c = *curve_;
   std::vector<double> depth, force;
-  // The tissue's recoil from the last puncture belongs to the phase before, which therefore gets
-  // 0.2 s more.
+  // The tissue's recoil from the last puncture counts as part of the phase before, which therefore
+  // gets 0.2 s more.
   for (std::size_t i = c.through + 200; i < c.hold_begin; ++i) {
     if (c.out[i].depth_m < 10e-3F) continue;
     depth.push_back(static_cast<double>(c.out[i].depth_m));
@@ -165,7 +165,7 @@ TEST_F(V23PhaseCurve, RelaxesOnHoldToAPlateau) {
   EXPECT_GE(1 - end / begin, 0.2);
   EXPECT_LE(1 - end / begin, 0.6);
   EXPECT_GT(end, 0.05);
-  // Time constant: when 1 - 1/e of the decay that is seen has passed.
+  // Time constant: the time until 1 - 1/e of the observed decay has passed.
   std::size_t at = c.hold_begin;
   while (c.force[at] > end + (begin - end) * std::exp(-1.0)) ++at;
   const double time_s = 1e-3 * static_cast<double>(at - c.hold_begin);
@@ -184,9 +184,8 @@ TEST_F(V23PhaseCurve, RetractionReversesTheSignWithinPresliding) {
   const Curve& c = *curve_;
   std::size_t at = c.hold_end;
   while (at < c.exit && c.force[at] > 0) ++at;
-  // Bristle mode: the way that the stuck needle must go back to unload, (f at hold + friction) / K,
-  // with K = 2 pi G / ln(b / a) per metre of shaft (sticking, notes section 10); G = 8 kPa, b = 25
-  // mm.
+  // Bristle mode: the distance that the stuck needle must go back to unload, (f at hold + friction)
+  // / K, with K = 2 pi G / ln(b / a) per metre of shaft that sticks; G = 8 kPa, b = 25 mm.
   const double stiffness = 2 * 3.14159 * 8000 / std::log(25 / 0.635) * 60e-3;
   EXPECT_LT(c.x[c.hold_end - 1] - c.x[at], c.force[c.hold_begin - 1] / stiffness);
 }

@@ -37,7 +37,7 @@ Config tiny_unit() {
   return config;
 }
 
-TEST(Pools, FullShaftPoolIsCountedAndItsStretchNotFelt) {
+TEST(Pools, FullShaftPoolIsCountedAndTheShaftBeyondItIsNotFelt) {
   Rig rig = make_rig(block(), tiny_unit());
   std::uint64_t flagged = 0;
   const Output out = drive(rig, kStart, 30e-3F, 10e-3F, [&](const Output& o) {
@@ -73,8 +73,8 @@ TEST(Pools, NeedleThatJumpsGetsItsParticlesInTheNextTicks) {
   EXPECT_GE(last, before + 20) << "the rest follow";
 }
 
-// A needle jumps by more units than a CP may slip in a tick: the CP slips by that many, and by the
-// others in the next ticks.
+// A needle jumps by more units than a CP may slip in a tick: the CP slips by the most that it may,
+// and by the rest in the next ticks.
 TEST(Pools, NeedleThatJumpsInPaperModeSlipsByMostUnitsATick) {
   Config config = tiny_unit();
   config.mode = Mode::kPaper;
@@ -117,9 +117,9 @@ Config long_needles(std::uint32_t count) {
   return config;
 }
 
-// Shaft CPs with room in the pool have weights that add up to 1. Those without have no weights at
-// all, push nothing, and nothing pushes them. (A force without weights was once felt by the needle
-// alone.)
+// Shaft CPs with room in the pool have weights that add up to 1. Those without room have no weights
+// at all, push nothing, and nothing pushes them. (Once a CP without weights had a force, which only
+// the needle felt.)
 int complete_particles(const View& view) {
   int complete = 0;
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
@@ -159,13 +159,13 @@ TEST(Pools, FullVoxelPoolGivesTheWeightToTheOthers) {
   EXPECT_GT(flagged, 0U);
   EXPECT_GE(s.cp_voxel_pool_full, flagged);
   EXPECT_GT(complete_particles(rig.view()), 40);
-  // The tip has room of its own, and goes on.
+  // The tip has room of its own, and goes on as before.
   EXPECT_EQ(rig.view().state.tip->support_count, kSupportsPerParticle);
   EXPECT_GT(rig.view().state.tip->track_m, 0.195F);
 }
 
-// The first needle's CPs are served first: it takes the room of the second's deep CPs, and later
-// comes to the voxels that these were in.
+// The first needle's CPs are served first: they take the room of the second needle's deep CPs, and
+// later come to the voxels in which those were.
 TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
   Rig rig = make_rig(fine_block(), long_needles(2));
   std::array<Vec3, 2> tip_m = {Vec3{-5e-3F, 2e-3F, 2e-3F}, {-5e-3F, 3e-3F, 2e-3F}};
@@ -188,7 +188,7 @@ TEST(Pools, FullVoxelPoolServesTheFirstNeedleWhereTheSecondWas) {
   EXPECT_LE(all - first, 1) << "except the entry, at the edge of the tissue";
   EXPECT_LT(second, first - 20) << "the second has half of its voxels with the first";
   (void)complete_particles(needle_view(rig.view(), 1));
-  // The first needle goes: the second holds all that it had lost again.
+  // The first needle leaves, and the second holds again all that it had lost.
   for (int i = 0; i < 1300; ++i) {
     tip_m[0].x -= 0.2e-3F;
     const std::array<Input, 2> in = {along_x(tip_m[0], rig.length_m),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// V28: a CP is displaced in one step and held; its force decays as the material says,
-// F(t) = F_0 (1 - phi + phi exp(-t / tau)),
-// however soft the voxels are with which it is in series: with attached corners, a CP of spring s
-// with corner springs 8 k.
+// V28: a CP is displaced in one step and held; its force decays as the material says, F(t) = F_0 (1
+// - phi + phi exp(-t / tau)), however soft the voxels are that lie in series with it: with attached
+// corners, a CP of spring s is in series with corner springs of 8 k.
 
 #include <gtest/gtest.h>
 
@@ -67,8 +66,8 @@ std::vector<double> press_and_hold(Rig& rig, int ticks) {
   return forces_held(rig, {2e-3F, centre.y, centre.z}, ticks);
 }
 
-// A needle so thin that the lattice's compliance is negligible beside its own, so that the
-// material's fraction and time are all that is seen.
+// The needle is so thin that the lattice's compliance is negligible beside its own, so that only
+// the material's fraction and time are seen.
 TEST(V28Relaxation, DecaysByTheFractionAndTimeWritten) {
   TinyOrgan tiny;
   tiny.nx = 4;
@@ -84,8 +83,8 @@ TEST(V28Relaxation, DecaysByTheFractionAndTimeWritten) {
 }
 
 // Any spring and Maxwell branch, one CP in the middle of one voxel. With 100 N/m in series with
-// eight corners of 28 N/m each, the spring gives way too; with 100 times as much, mostly the
-// corners do.
+// eight corners of 28 N/m each, spring and corners give way; with 100 times as much, mostly the
+// corners.
 TEST(V28Relaxation, StepOfOneShaftParticleRelaxesAllOfItsForce) {
   for (const double spring : {100.0, 10000.0}) {
     for (const double share : {0.2, 0.5, 0.8}) {
@@ -149,8 +148,8 @@ TEST(V28Relaxation, InsertedNeedleRelaxesAsWritten) {
 }
 
 // Tissue that another needle holds aside relaxes there, and does not pull at a needle that comes to
-// it then. A twentieth of what the other one holds is allowed; an anchor that took the tissue's
-// place for the needle's way pulled with an eighth.
+// it later. A twentieth of the other needle's force is allowed; when the tissue's displacement was
+// taken for the needle's way, it pulled with an eighth.
 TEST(Relaxation, NeedleInTissueThatAnotherHoldsAsideIsNotPulled) {
   TinyOrgan tiny;
   tiny.nx = 14;
@@ -188,8 +187,9 @@ TEST(Relaxation, NeedleInTissueThatAnotherHoldsAsideIsNotPulled) {
   }
 }
 
-// Nothing that fades ends among denormal numbers, which processors may flush: a needle goes in a
-// little askew, and is then turned along x, so that nothing pulls across x any more.
+// Values that fade become zero and do not stay denormal, because processors may flush denormal
+// numbers. A needle goes in a little askew and is then turned along x, so that nothing pulls across
+// x any more.
 TEST(Relaxation, WhatFadesEndsAtZero) {
   TinyOrgan tiny;
   tiny.nx = 8;
@@ -219,8 +219,8 @@ TEST(Relaxation, WhatFadesEndsAtZero) {
   EXPECT_LT(std::fabs(view.state.shaft[1].give_m.y), 1e-11F);
 }
 
-// A shaft is pulled along by 20 um and held. What each tick leaves of its way, on average over the
-// way from the first tick to a twentieth.
+// A shaft is pulled along by 20 um and held. Returns which fraction of the remaining way a tick
+// leaves, on average from the first tick until a twentieth is left.
 double left_in_a_tick(float period_s) {
   TinyOrgan tiny;
   tiny.nx = 8;
@@ -252,9 +252,9 @@ double left_in_a_tick(float period_s) {
   return std::pow(missing(last) / missing(0), 1 / static_cast<double>(last));
 }
 
-// A damper of 1 ms (PHYSICS 11.3) is as slow at any period of the tick. A tick of T takes the part
-// T / (T + 1 ms) of the way that is left, times the part that the spring has of the compliance of
-// spring and held voxels together, which is the same in all of them.
+// A damper of 1 ms (PHYSICS 11.3) is equally slow at any period of the tick. A tick of T takes the
+// fraction T / (T + 1 ms) of the way that is left, times the spring's fraction of the compliance of
+// spring and held voxels together, which is the same at all periods.
 TEST(Relaxation, ShaftGivesWayAlongInTheSameTimeAtAnyPeriod) {
   std::vector<double> springs;
   for (const float period_s : {2.5e-4F, 5e-4F, 1e-3F, 2e-3F, 4e-3F}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block organ, a kernel, and a rigid needle along +x that a test moves by the place of its tip.
+// A block organ, a kernel, and a rigid needle along +x that a test moves by the position of its
+// tip.
 //
 // Promises: the kernel runs unchanged; only `hold_one_shaft_particle` writes the state, to start
 // from a case with a closed form. Units: SI. Frame: world.
@@ -45,7 +46,7 @@ enum class Tissue { kMoves, kFixed };
 // With Tissue::kFixed every particle is attached, so that the coupling alone is measured.
 inline Rig make_rig(const TinyOrgan& tiny, const Config& config, Tissue tissue = Tissue::kMoves) {
   TinyOrgan wanted = tiny;
-  if (tissue == Tissue::kFixed) wanted.fixed_faces |= kLowX;  // so that the array is there
+  if (tissue == Tissue::kFixed) wanted.fixed_faces |= kLowX;  // so that the array exists
   std::vector<std::byte> bytes = tiny_organ(wanted);
   if (tissue == Tissue::kFixed) {
     auto* fixed = const_cast<std::uint8_t*>(format::GetOrgan(bytes.data())->voxel_fixed()->data());
@@ -99,14 +100,14 @@ inline Output drive(Rig& rig, Vec3 from_m, float to_x_m, float speed_m_per_s) {
   return drive(rig, from_m, to_x_m, speed_m_per_s, [](const Output&) {});
 }
 
-// Same pose for a while.
+// Keeps the pose for a while.
 inline Output hold(Rig& rig, Vec3 tip_m, int ticks) {
   Output out = {};
   for (int i = 0; i < ticks; ++i) out = move_tip(rig, tip_m);
   return out;
 }
 
-// Lets a CP hold the tissue at a rest place, without force, by a spring of `stiffness_n_per_m`.
+// Lets a CP hold the tissue at a rest position by a spring of `stiffness_n_per_m`, without force.
 inline void hold_tissue(const View& view, Particle& p, Vec3 rest_m, float stiffness_n_per_m) {
   p.rest_m = p.position_m = rest_m;
   p.stiffness_n_per_m = p.full_stiffness_n_per_m = stiffness_n_per_m;
@@ -123,7 +124,7 @@ inline void hold_tissue(const View& view, Particle& p, Vec3 rest_m, float stiffn
 constexpr float kTipBeyondM = 0.03F;
 
 // Puts one shaft CP with spring `stiffness_n_per_m` at a rest place. The tip of the needle that
-// holds it is far behind the tissue: there is the friction of one unit of shaft, and nothing else.
+// holds it is far behind the tissue, so that the friction of one unit of shaft is the only force.
 inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per_m) {
   const Vec3 tip_m = rest_m + Vec3{kTipBeyondM, 0, 0};
   move_tip(rig, tip_m);

@@ -12,8 +12,8 @@
 namespace stylet::test {
 namespace {
 
-// Drawn tissues of 6 to 30 kPa, held at the far end: 60 mm in, a rest, and out. Where a needle
-// takes the tissue along to its end, there is no slope.
+// Random tissues of 6 to 30 kPa, held at the far end: 60 mm in, a rest, and out. If a needle takes
+// the tissue along until its end, there is no slope.
 TEST(Slope, IsTheFrictionOfTheMaterialOnceTheShaftSlides) {
   std::mt19937 random(1000);
   const auto between = [&](double low, double high) {

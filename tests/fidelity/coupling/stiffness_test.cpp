@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Needle and tissue together are as stiff as the needle makes them, not as the grid does: in
-// contact with a skin, and stuck.
+// How stiff needle and tissue are together depends on the needle, not on the grid: in contact with
+// a skin, and when the needle is stuck.
 //
 // An 18G needle stands 20 mm deep in the block of tests/fidelity/calculix (40 mm, E 10 kPa, fixed
-// bottom) and is moved sideways by 20 um. CalculiX's force is that of columns 5 and 2.5 mm wide,
-// taken to the needle's radius by its logarithm. The needle enters almost without force and is then
-// stuck by its friction. Only the row of CPs is measured: it ends with half a unit at the surface
-// and at the tip, so that it is as long as the needle.
+// bottom) and is moved sideways by 20 um. CalculiX's forces are those of columns 5 and 2.5 mm wide,
+// extrapolated to the needle's radius over its logarithm. The needle enters almost without force
+// and is then stuck by its friction. Only the row of CPs is measured: it ends with half a unit at
+// the surface and at the tip, so that it is as long as the needle.
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ Rig insert_needle(Grid grid, float poisson, Vec3 tip_m) {
   return rig;
 }
 
-// Makes the row end with half a unit at either end, and friction so large that nothing slips.
+// Lets the row end with half a unit at either end, and makes friction so large that nothing slips.
 void stick(Rig& rig) {
   View view = needle_view(rig.view(), 0);
   view.model.head->material[0].cutting_n = 1e4F;
@@ -111,7 +111,7 @@ TEST(Stiffness, NeitherVoxelNorUnitNorPlaceIsFelt) {
 }
 
 // A tip holds the tissue at a place, in voxel edges from the middle of a block that is held on all
-// sides: how far it takes the lattice along, over its force, in 1 / (G h).
+// sides: how far it takes the lattice along, divided by its force, in 1 / (G h).
 struct Given {
   double per_force, squares;  // and the sum of the squared weights
 };
@@ -148,8 +148,8 @@ Given given_inside(float poisson, Vec3 place, std::uint16_t voxels) {
   return given;
 }
 
-// What the lattice itself gives way under a tip inside, in a block without an end: the formula of
-// the tip's spring (kInsideGive, PHYSICS 11.2).
+// How far the lattice itself gives way under a tip inside, in an infinite block: the formula of the
+// tip's spring (kInsideGive, PHYSICS 11.2).
 TEST(Stiffness, LatticeGivesWayToATipInsideAsItsWeightIsShared) {
   constexpr Vec3 kInside[] = {{0, 0, 0},          {0, 0, 0.5F},          {0, 0.25F, 0.25F},
                               {0, 0.5F, 0.5F},    {0.25F, 0.25F, 0.25F}, {0.5F, 0.5F, 0.5F},
@@ -165,8 +165,8 @@ TEST(Stiffness, LatticeGivesWayToATipInsideAsItsWeightIsShared) {
   }
 }
 
-// A tip that has gone in to a place drawn at random is drawn back by less than what lets it slide.
-// Force over way is that of a rigid sphere in a medium without an end. Nothing holds the shaft.
+// A tip that has gone in to a random place is pulled back by less than it takes to let it slide.
+// Force over way is that of a rigid sphere in an infinite medium. Nothing holds the shaft.
 double stiffness_inside(Draw& draw, float edge_m, float poisson, float shear_pa) {
   constexpr float kBackM = 0.2e-3F;
   TinyOrgan tiny;
@@ -250,8 +250,8 @@ TEST(Stiffness, ThinSkinIsFeltAlikeWhateverTheVoxelItIsSpreadOver) {
   }
 }
 
-// Below a dimple some voxels deep, tissue is pressed to a fraction of its length, and finer voxels
-// are softer: PHYSICS 18.1.
+// Under a dimple that is several voxels deep, tissue is pressed to a fraction of its height, and
+// finer voxels are softer: PHYSICS 18.1.
 TEST(Stiffness, DeepDimplesAreSofterInFinerVoxelsByAnEighthAtMost) {
   for (const float depth_m : {8e-3F, 12e-3F}) {
     double force[2] = {};
@@ -268,7 +268,7 @@ TEST(Stiffness, DeepDimplesAreSofterInFinerVoxelsByAnEighthAtMost) {
 }
 
 // A tip breaks through at the bottom of a dimple ten voxels deep, where tissue is pressed to a
-// tenth of its length, and goes on into the tissue below.
+// tenth of its height, and goes on into the tissue below.
 TEST(Stiffness, TipStaysInTissueThatADeepDimpleHasCrushed) {
   TinyOrgan tiny = soft_block(2.5e-3F, 0.06F);
   tiny.materials[0].puncture_force_n = 0.3F;

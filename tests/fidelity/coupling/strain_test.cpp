@@ -29,13 +29,13 @@ TinyOrgan block() {
   return tiny;
 }
 
-// The middle of the block stays where it is.
+// The middle of the block stays in place.
 Vec middle(const View& view) {
   const ModelHead& head = *view.model.head;
   return wide(head.origin_m) + 0.5 * static_cast<double>(head.edge_m) * Vec(8, 7, 7);
 }
 
-// Displaces every node as the deformation gradient `f` says; what is fixed stays there.
+// Displaces every node as the deformation gradient `f` says; fixed nodes stay there.
 void strain(View view, const Mat& f) {
   const ModelHead& head = *view.model.head;
   const auto edge_m = static_cast<double>(head.edge_m);
@@ -54,7 +54,7 @@ void strain(View view, const Mat& f) {
   }
 }
 
-// The way in is so long that the rest place has come to where it belongs after the dimple.
+// The insertion is so long that the rest position has settled after the dimple.
 constexpr float kSettledM = 14e-3F;
 
 // Needle along +x or, a quarter turn about it instead, +y.
@@ -78,7 +78,7 @@ TEST_P(Strained, RestPlaceOfTheTipIsThatOfTheMaterialItHolds) {
   Vec place = still;
   place[axis] = -40e-3;
   for (int i = 0; i < 100; ++i) checked_tick(rig, along(axis, place, rig.length_m));
-  int seen = 0;  // by now rotations have found the strain
+  int seen = 0;  // by now rotations have followed the strain
   Vec worst_m = Vec::Zero();
   for (; place[axis] < still[axis] + 12e-3; place[axis] += 20e-6) {
     const Output out = checked_tick(rig, along(axis, place, rig.length_m));
@@ -89,9 +89,10 @@ TEST_P(Strained, RestPlaceOfTheTipIsThatOfTheMaterialItHolds) {
     ++seen;
   }
   EXPECT_GT(seen, 500);
-  // Along the needle, where voxels come and go, the place is 0.08 mm off on the way along x and
-  // 0.18 mm along y; across it is 5 um off. Each of six wrong entries of the inverse gave 11 um
-  // across x or 0.12 mm along it, and one wrong entry of the gradient 22 um across y.
+  // Along the needle, where voxels are taken up and let go, the position is 0.08 mm off for a way
+  // along x and 0.18 mm for one along y; across it is 5 um off. Each of six wrong entries of the
+  // inverse gave 11 um across x or 0.12 mm along it, and one wrong entry of the gradient 22 um
+  // across y.
   const double most_m = axis == 0 ? 0.1e-3 : 0.2e-3;
   for (int i = 0; i < 3; ++i) EXPECT_LT(worst_m[i], i == axis ? most_m : 8e-6) << i;
 }

@@ -39,7 +39,7 @@ ObstacleConfig bone(float friction, float tilt_rad = 0) {
   return config;
 }
 
-// Tissue far away: what is felt is bone.
+// The tissue is far away: only bone is felt.
 Rig make_bone(const NeedleConfig& needle, const ObstacleConfig& body) {
   TinyOrgan tiny;
   tiny.nx = tiny.ny = tiny.nz = 2;
@@ -67,8 +67,9 @@ TEST(Bone, StopsARigidNeedle) {
   EXPECT_NEAR(static_cast<double>(touch[0].normal.x), -1, 1e-3);
 }
 
-// Touched with the tip or with the side of the shaft, whichever way the face looks. The bound that
-// is told adds up the contact's stiffness across the face and, where it sticks, both ways along it.
+// It is touched with the tip or with the side of the shaft, and its face looks in any direction.
+// The bound that is given to the device is the sum of the contact's stiffness across the face and,
+// if it sticks, along the face in both directions.
 TEST(Bone, SaysHowStiffItIs) {
   const Vec3 tip = {15e-3F, 17e-3F, 18e-3F};
   const Vec3 half = {10e-3F, 30e-3F, 30e-3F};
@@ -107,7 +108,7 @@ TEST(Bone, AThinNeedleBucklesOnItAtEulersLoad) {
   EXPECT_GT(bow, 5e-3) << "bent out sideways";
 }
 
-// A body may be given any largest force; bending takes a kilonewton of it (limits.h).
+// A body may have any largest force; bending uses at most a kilonewton of it (limits.h).
 TEST(Bone, WithoutALimitPressesABentNeedleAsWithTheLargestThatBendingTakes) {
   ObstacleConfig most = bone(0.3F), endless = most;
   most.largest_force_n = static_cast<float>(kMaxRodForceN);
@@ -124,9 +125,9 @@ TEST(Bone, WithoutALimitPressesABentNeedleAsWithTheLargestThatBendingTakes) {
   EXPECT_GT(felt_n, 0.5);
 }
 
-// Pushed on at hard bone beyond buckling, the tip slides along it and off its edges, and the needle
-// snaps over. When nothing limited how far it bends in a tick, it passed in and out of the bone
-// with every tick, at up to 227 N.
+// A needle is pushed on against hard bone after it has buckled: its tip slides along the bone and
+// off its edges, and the needle snaps over. When nothing limited how far it bends in a tick, it
+// went in and out of the bone in alternate ticks, with up to 227 N.
 TEST(Bone, AThinNeedleSlidesAndSnapsWithoutChatter) {
   for (const float friction : {0.0F, 0.1F, 0.3F, 0.5F}) {
     for (const float tilt_rad : {0.02F, 0.1F, 0.3F, 0.5F}) {

@@ -29,13 +29,13 @@ Config breathing(float amplitude_m) {
   return config;
 }
 
-// Place of the breath at a tick, in double.
+// Displacement by the breath at a tick, in double.
 double breath(std::uint64_t tick) {
   const double t = static_cast<double>(tick) * 1e-3 / static_cast<double>(kBreathS);
   return static_cast<double>(kAmplitudeM) * std::pow(std::sin(3.14159265358979 * t), 4);
 }
 
-TEST(Breathing, TissueThatMovesIsANeedleThatMovesTheOtherWay) {
+TEST(Breathing, MovingTissueIsFeltAsANeedleThatMovesTheOtherWay) {
   Rig moving = make_rig(gel(), breathing(kAmplitudeM)), still = make_rig(gel(), breathing(0));
   double worst = 0, largest = 0;
   for (std::uint64_t t = 1; t <= 12000; ++t) {
@@ -66,7 +66,7 @@ TEST(Breathing, ARestingNeedleFeelsFrictionBothWays) {
   EXPECT_NEAR(pulled, -10 * shallow, 0.08);
   EXPECT_GT(pushed, 10 * shallow);
   EXPECT_LT(pushed, 10 * deep + 0.25);
-  // The tissue slides past by the part of its way on which the needle does not hold it.
+  // The tissue slides past on that part of its way on which the needle does not hold it.
   EXPECT_GT(deep - shallow, 0.6 * static_cast<double>(kAmplitudeM));
   EXPECT_LT(deep - shallow, static_cast<double>(kAmplitudeM));
 }

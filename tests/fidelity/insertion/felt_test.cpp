@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A needle is felt wherever it goes in: whatever the rest of the organ does, it hides none.
+// A needle is felt wherever it goes in: no state of the rest of the organ hides it.
 //
-// Judged by brute force: whether a tip is inside the deformed surface is told by the number of
-// triangles that rays from it cross. The search of the kernel is not asked.
+// Judged by brute force: the number of triangles that rays from a tip cross says whether it is
+// inside the deformed surface. The kernel's own search is not used.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,8 @@
 namespace stylet::test {
 namespace {
 
-// Numbers that are the same everywhere; those of the standard's distributions are not.
+// Random numbers that are the same everywhere; those of the standard library's distributions are
+// not.
 struct Draw {
   std::mt19937_64 engine;
   float between(float low, float high) {
@@ -32,7 +33,7 @@ struct Draw {
   }
 };
 
-// Along any direction, with its tip at a place.
+// A needle along any direction, with its tip at a given position.
 Input along(Vec3 direction, Vec3 tip_m, float length_m) {
   // The turn from -z to the direction: half-way quaternion.
   Vec3 axis = cross(Vec3{0, 0, -1}, direction);
@@ -60,7 +61,7 @@ Point point(Vec3 v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-// From the origin to a segment, squared.
+// Squared distance from the origin to a segment.
 double square_to(const Point& a, const Point& b) {
   const Point along = minus(b, a);
   const double length2 = with(along, along);
@@ -125,7 +126,7 @@ struct Stroke {
   float speed_m_per_s, to_m;
 };
 
-// One stroke after the other; swept aside during the first.
+// One stroke after the other; the needle is swept aside during the first.
 struct Way {
   Vec3 start_m, direction, aside_m_per_s;
   std::vector<Stroke> strokes;
@@ -266,9 +267,10 @@ Scene drawn_out(std::uint64_t seed) {
   return scene;
 }
 
-// Ticks in which a needle was inside and felt nothing. Judged against the surface by which the tick
-// decided, the one at its start: within a tick tissue may move farther over a tip than the tip may
-// be deep (by more than 0.1 mm in 3 of 800 scenes); the next tick then finds it.
+// Ticks in which a needle was inside and felt nothing. They are judged by the surface at the start
+// of the tick, by which the kernel decided: within a tick tissue may move over a tip by more than
+// the depth allowed here (by more than 0.1 mm in 3 of 800 scenes); the next tick then finds the
+// tip.
 void expect_felt(std::uint64_t seed, Scene scene) {
   Rig rig = make_rig(scene.tiny, scene.config);
   const std::uint32_t needles = scene.config.needle_count;
@@ -290,8 +292,8 @@ void expect_felt(std::uint64_t seed, Scene scene) {
         met[i] = true;
         continue;
       }
-      // One that was in and came out again may lie in the mouth of its own hole. For others 0.1 mm
-      // are allowed for rounding and skin.
+      // A needle that was in and came out again may lie in the mouth of its own hole. For others
+      // 0.1 mm is allowed for rounding and skin.
       const double mouth_m = 3 * static_cast<double>(scene.config.needle[i].outer_radius_m);
       const double skin_m = met[i] ? mouth_m + 1e-4 : 1e-4;
       ASSERT_FALSE(judge.inside(outputs[i].tip_m, skin_m))
@@ -346,7 +348,7 @@ TEST(FeltExhaustive, NoTipIsInTissueInPhaseFreeWhenItHasJustLeft) {
 }
 
 // A needle whose first pose lies in tissue, as when a program starts again with the hand still in:
-// it was felt from 20 mm below the skin on outwards, and never where it was deeper.
+// such a needle was once felt only within 20 mm below the skin, and never where it was deeper.
 TEST(Felt, AFirstPoseDeepInTissue) {
   Draw draw{std::mt19937_64(7)};
   for (int round = 0; round < 24; ++round) {
@@ -376,8 +378,8 @@ TEST(Felt, AFirstPoseDeepInTissue) {
   }
 }
 
-// As an outside check found it: fat under skin, voxels of 3 mm, a dent of 8 mm, and a second needle
-// that went in 15 to 45 mm away, 45 mm deep, without a force.
+// A case that an independent check found: fat under skin, voxels of 3 mm, a dent of 8 mm, and a
+// second needle 15 to 45 mm away that went in 45 mm deep without a force.
 TEST(Felt, ASecondNeedleBesideADent) {
   for (const float apart_m : {15e-3F, 30e-3F, 45e-3F}) {
     TinyOrgan tiny;

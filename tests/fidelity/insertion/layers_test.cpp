@@ -73,8 +73,8 @@ TEST(Layers, EachIsPuncturedOnTheWayIn) {
   EXPECT_EQ(entered[1].layer, kEpidural);
 }
 
-// Against a stiff layer the tip has that layer's spring, not that of the soft tissue in which it
-// lies: fat of 3 kPa under the tip must not hide a ligament of 1 MPa.
+// Pressed against a stiff layer, the tip has the spring of that layer, not of the soft tissue in
+// which it lies: fat of 3 kPa under the tip must not hide a ligament of 1 MPa.
 TEST(Layers, AStiffLayerBehindASoftOneIsReached) {
   TinyOrgan tiny = back();
   tiny.materials[kFat].youngs_modulus_pa = 3000;
@@ -89,7 +89,7 @@ TEST(Layers, AStiffLayerBehindASoftOneIsReached) {
   EXPECT_LT(at_m, 35e-3F) << "15 mm beyond the ligament's surface at rest";
 }
 
-// Spring of the tip in the ligament, once it has come there through what lies before it.
+// Spring of the tip in the ligament, after it has gone through the layers before it.
 float spring_in_ligament(const TinyOrgan& tiny) {
   Rig rig = make_rig(tiny, Config{});
   float spring_n_per_m = 0;
@@ -109,8 +109,8 @@ TEST(Layers, TheTipHasTheSpringOfTheLayerItIsIn) {
   EXPECT_EQ(behind_fat, alone);
 }
 
-// Looks one by one at the voxels that hold the needle: two lie in the air, with nothing beside or
-// between them.
+// The kernel looks one by one at the voxels that hold the needle: two of them lie in air, with
+// nothing beside or between them.
 TEST(Layers, ASingleVoxelSaysWhichTissueItIs) {
   TinyOrgan tiny = back();
   tiny.nx = 3;
@@ -158,8 +158,8 @@ TEST(Layers, TheSameTissueBehindAnotherIsALayerAgain) {
   for (const Event& each : soft) EXPECT_GE(each.force_n, 0) << each.depth_m;
 }
 
-// However the units of the shaft fall on the layers, its friction is that of its stretches in each
-// layer.
+// However the units of the shaft lie across the layers, its friction is the sum over its stretches
+// in each layer.
 TEST(Layers, FrictionIsThatOfTheStretchInEach) {
   for (const float unit_m : {2.5e-3F, 5e-3F, 7e-3F, 11e-3F}) {
     Config config;
@@ -184,8 +184,8 @@ int held_between(const Rig& rig, float low_m, float high_m) {
   return count;
 }
 
-// Two organs with a gap of three units between them: both hold the needle, and nothing holds it on
-// the way between. The same once more after it has been drawn back into the first.
+// Two organs with a gap of three units between them: both hold the needle, and nothing holds it in
+// the gap. The same once more after it has been drawn back into the first.
 TEST(Layers, WhatLiesBehindAGapHoldsTheNeedle) {
   TinyOrgan tiny = back();
   tiny.materials = {tiny.materials[kFat]};
@@ -205,9 +205,10 @@ TEST(Layers, WhatLiesBehindAGapHoldsTheNeedle) {
 }
 
 // A needle has come out at the far face and is drawn back through it, fast and slow: the tissue
-// that it drags along lets go and is met again from tick to tick. The log names no layer twice
-// within half a millimetre, keeps what happened before, and ends with the layer that the tip is in.
-TEST(Layers, ATipDrawnBackThroughTheFarFaceTellsOfItOnce) {
+// that it drags along lets go of it and is met again in alternate ticks. The log names no layer
+// twice within half a millimetre, keeps earlier events, and ends with the layer in which the tip
+// is.
+TEST(Layers, ATipDrawnBackThroughTheFarFaceIsLoggedOnce) {
   std::mt19937 random(3);
   for (int time = 0; time < 6; ++time) {
     const auto draw = [&](float low, float high) {
@@ -291,7 +292,7 @@ TEST(Layers, TissueEndsWithinAVoxel) {
   }
 }
 
-// The force that breaks a surface falls with speed as written: (v / 10 mm/s)^-m.
+// The force that breaks a surface falls with speed as the material says: (v / 10 mm/s)^-m.
 TEST(Layers, PunctureTakesLessForceWhenFaster) {
   for (const float speed : {2e-3F, 10e-3F, 50e-3F}) {
     TinyOrgan tiny = back();
@@ -305,7 +306,7 @@ TEST(Layers, PunctureTakesLessForceWhenFaster) {
   }
 }
 
-TEST(Layers, NoneIsPuncturedInATrackAndAllAreElsewhere) {
+TEST(Layers, LayersArePuncturedAgainElsewhereButNotInATrack) {
   Rig rig = make_rig(back(), Config{});
   const auto in_and_out = [&rig](Vec3 start) {
     drive(rig, start, 72e-3F, 20e-3F);

@@ -54,7 +54,7 @@ Rig rig_of(const TinyOrgan& tiny, const Gauge& gauge, const ObstacleConfig& body
   return rig;
 }
 
-// Tissue far away: what is felt is bone.
+// The tissue is far away: only bone is felt.
 Rig in_air(const Gauge& gauge, const ObstacleConfig& body) {
   TinyOrgan tiny;
   tiny.nx = tiny.ny = tiny.nz = 2;
@@ -71,7 +71,7 @@ ObstacleConfig hard(ObstacleConfig body, double stiffness_n_per_m, double fricti
 
 constexpr double kBallX = 30e-3;
 
-// Its centre `off_m` beside the needle's axis, on the side that `way_rad` says.
+// A ball with its centre `off_m` beside the needle's axis, on the side given by `way_rad`.
 ObstacleConfig ball(double radius_m, double off_m, double way_rad) {
   ObstacleConfig body;
   make_sphere(body, static_cast<float>(radius_m));
@@ -98,7 +98,7 @@ ObstacleConfig tilted_box(Vec3 face_m, double tilt_rad, double roll_rad) {
 // What a hand felt on its way and while it rested.
 struct Felt {
   double most_n = 0, least_work_j = 0;
-  double slack_j = 0;  // a sum of means over ticks may be so far from the work
+  double slack_j = 0;  // a sum of means over ticks may differ so far from the work
   double swing_n = 0;  // at rest
   Vec3 rest_n{};
 };
@@ -189,7 +189,7 @@ TEST(RestAtBone, OnFacesOfAnyTilt) {
 }
 
 // The tip slides off a smooth ball and the shaft leans on the ball's side: a cantilever that is
-// pushed aside by `aside` at the arc `arc` of the contact, F = 3 EI aside / arc^3.
+// pushed aside by `aside` at the arc length `arc` of the contact, F = 3 EI aside / arc^3.
 TEST(RestAtBone, AShaftLeansOnABallAsABeam) {
   Draw draw{std::mt19937_64{37}};
   for (int i = 0; i < 8; ++i) {
@@ -211,7 +211,7 @@ TEST(RestAtBone, AShaftLeansOnABallAsABeam) {
   }
 }
 
-// Where the tip sticks, and is pressed just beyond buckling, at any stiffness of the bone.
+// The tip sticks and is pressed just beyond buckling, at any stiffness of the bone.
 TEST(RestAtBone, ATipThatSticksBucklesTheNeedleAtEulersLoad) {
   for (const double stiffness : {20e3, 200e3, 1e6}) {
     for (const Gauge& gauge : {k18G, k22G}) {
@@ -229,9 +229,9 @@ TEST(RestAtBone, ATipThatSticksBucklesTheNeedleAtEulersLoad) {
   }
 }
 
-// On hard bone, where the way of one tick is several times the load at which the needle buckles:
-// the largest force that is felt, over that which a hand as slow as 5 um a tick feels. Not all are
-// below the bar of 1.2 (PHYSICS 18.6); the test bounds how many are not.
+// On hard bone one tick's way, times the stiffness, is several times the load at which the needle
+// buckles. The largest force felt is compared with what a hand of 5 um a tick feels. Not all ratios
+// are below the bar of 1.2 (PHYSICS 18.6); the test bounds how many are above it.
 TEST(RestAtBone, PressedFastOnHardBoneTheLoadIsThatOfASlowHand) {
   constexpr int kDraws = 48;
   Draw draw = {std::mt19937_64(5)};
@@ -280,8 +280,8 @@ TEST(RestAtBone, ToAndFroAcrossABallGivesNothing) {
   }
 }
 
-// In tissue, on a box that is turned: the tissue's answer is in the same equilibrium. It takes a
-// second and a half until the tissue has come to rest.
+// In tissue, on a turned box: the tissue's forces are part of the same equilibrium. The tissue
+// needs a second and a half to come to rest.
 TEST(RestAtBone, InTissueOnATurnedBox) {
   Draw draw{std::mt19937_64{41}};
   for (int i = 0; i < 6; ++i) {

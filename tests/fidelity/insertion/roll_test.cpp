@@ -42,7 +42,7 @@ class Rolled : public testing::Test {
     const Vec3 start = {-1e-3F, 17e-3F, 16e-3F};
     drive(rig_, start, kDepthM + 4e-3F, 20e-3F);
     tip_m_ = {kDepthM + 4e-3F, start.y, start.z};
-    // Draws it back until the shaft's springs pull no more along it.
+    // Draws it back until the shaft's springs no longer pull along it.
     for (int i = 0; i < 20000 && out_.force_n.x <= 0; ++i) {
       tip_m_.x -= 1e-6F;
       out_ = hold(rig_, tip_m_, 1);
@@ -71,11 +71,11 @@ class Rolled : public testing::Test {
       work_j_ -= 0.5 * (last_nm + torque_nm()) * by_rad / ticks;
     }
   }
-  // On the hand, about the handle's z, which is -x here.
+  // Torque on the hand, about the handle's z, which is -x here.
   double torque_nm() const { return -static_cast<double>(roll_torque_nm(rig_.view().state).x); }
   double lag_rad() const { return static_cast<double>(rig_.view().state.needle->twist_rad); }
 
-  // The shaft as its particles represent it: f r, and the sums over their stretches.
+  // The shaft as its particles represent it: f r, and sums over the stretches of the particles.
   double slipping_nm() const {
     return sum([](double, double hold) { return hold; });
   }
@@ -133,7 +133,8 @@ TEST_F(Rolled, TurnsBackOnlyAfterTwiceTheLag) {
   EXPECT_NEAR(lag_rad(), -lag, 0.01 * lag);
 }
 
-// A closed loop of rolling takes its area from the hand as work, and all of that is booked.
+// A closed loop of rolling takes its area from the hand as work, and all of this work is in the
+// energy books.
 TEST_F(Rolled, LoopTakesItsAreaFromTheHand) {
   roll(2.0);
   const Energy before = energy(rig_.kernel());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two needles in one tissue: each has forces, limits and particles of its own; they share the
-// tissue.
+// Two needles in one tissue: each has its own forces, limits and particles; they share the tissue.
 
 #include <gtest/gtest.h>
 
@@ -90,7 +89,7 @@ TEST(TwoNeedles, ShareTheTissue) {
   std::array<Output, 2> out = {};
   for (int i = 0; i < 1500; ++i) out = move(rests, {-5e-3F, y, 40e-3F});
   const Vec3 before = out[0].force_n;
-  // The second one in, then pulled towards the first.
+  // The second needle goes in, and is then pulled towards the first.
   for (int i = 0; i < 3000; ++i)
     out = move(rests, {-5e-3F + 10e-6F * static_cast<float>(i), y, 40e-3F});
   for (int i = 0; i < 1000; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // V20, V21 and steering by a bevel: the rule of the cut against the unicycle's closed forms
-// (Webster et al. 2006), and what the whole kernel makes of it.
+// (Webster et al. 2006), and how the whole kernel follows it.
 
 #include <gtest/gtest.h>
 
@@ -61,12 +61,13 @@ TEST(V21Bevel, SpinMakesAHelix) {
   const double pitch = 2 * kPi * tau / (kappa * kappa + tau * tau);
   const double radius = kappa / (kappa * kappa + tau * tau);
   EXPECT_NEAR(norm_of(once.place) / pitch, 1, 0.01);
-  // Half way round: across the helix and half its pitch on.
+  // After half a turn: across the helix, and half its pitch onwards.
   const double across = 2 * radius, on = 0.5 * pitch;
   EXPECT_NEAR(norm_of(half.place) / std::sqrt(across * across + on * on), 1, 0.01);
 }
 
-// Spun for a part of every 2 mm, the needle bends by the rest (Minhas et al. 2007).
+// A needle that is spun for a fraction of every 2 mm bends by the other fraction (Minhas et al.
+// 2007).
 TEST(V21Bevel, DutyCycleScalesTheCurvature) {
   for (const double duty : {0.25, 0.5, 0.75}) {
     const double period_m = 2e-3;
@@ -139,12 +140,12 @@ TEST(Steering, BevelSteersToItsSideAndTheMoreTheStifferTheTissue) {
   EXPECT_GT(soft, 0.5e-3F);
   EXPECT_GT(middle, 1.3F * soft);
   EXPECT_GT(stiff, 1.3F * middle);
-  // In tissue that gives way never more than the arc of the bevel.
+  // In tissue that gives way the needle never bends more than the arc of the bevel.
   EXPECT_LT(stiff, (1 - std::cos(5 * 0.08F)) / 5);
-  // A tenth of the bevel turns a tenth as much.
+  // A tenth of the bevel's curvature bends a tenth as much.
   const float weak = steer(160000, 0.5F, false).tip.z - straight;
   EXPECT_NEAR(static_cast<double>(weak / stiff), 0.1, 0.01);
-  // Rolled half way round, mirrored.
+  // Rolled by half a turn, the path is mirrored.
   EXPECT_LT(steer(40000, 5, true).tip.z, 0.7F * middle);
 }
 

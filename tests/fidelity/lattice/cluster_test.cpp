@@ -35,8 +35,8 @@ struct Draw {
   }
 };
 
-// A voxel turned and moved anyhow, its corners and constraint particles displaced by up to a third
-// of an edge.
+// A voxel in a random position and rotation, its corners and constraint particles displaced by up
+// to a third of an edge.
 ReferenceVoxel draw_voxel(Draw& draw, std::size_t particles) {
   ReferenceVoxel voxel = resting_voxel(kEdgeD, kSpring);
   const Mat turned = draw.rotation(2.5);
@@ -52,7 +52,7 @@ ReferenceVoxel draw_voxel(Draw& draw, std::size_t particles) {
   return voxel;
 }
 
-// The same voxel in the kernel, its rotation settled.
+// The same voxel in the kernel, after its rotation has converged.
 Rig rig_of(const ReferenceVoxel& voxel, float poisson) {
   const auto chi = static_cast<float>(voxel.hourglass_weight);
   Rig rig = make_rig(block_of(1, 1, 1, elastic(kShear, poisson)), resting_config(chi, poisson, 1));
@@ -110,7 +110,7 @@ double worst_while_swaying(Draw& draw, int steps) {
   return worst;
 }
 
-// Nothing but the step itself keeps the stored quaternion at length 1, however long it runs.
+// Only the step itself keeps the stored quaternion at length 1, however long it runs.
 TEST(FidelityV2, StoredRotationStaysOrthonormalInMovingTissue) {
   Draw draw;
   for (int i = 0; i < 8; ++i) EXPECT_LT(worst_while_swaying(draw, 300000), 1e-6) << "draw " << i;
@@ -201,7 +201,7 @@ TEST(FidelityV4, ReferenceForcesAreTheGradientOfTheEnergy) {
   }
 }
 
-// With the volume term the kernel's fits and forces are those of the reference too.
+// With the volume term, too, the kernel's matches and forces are those of the reference.
 TEST(FidelityV4, KernelForcesAgreeWithTheReference) {
   Draw draw;
   for (int i = 0; i < 60; ++i) {
@@ -361,7 +361,7 @@ struct Drift {
   double linear = 0, angular = 0;
 };
 
-// Largest change in 1000 steps, relative to the largest sum of magnitudes on the way.
+// Largest change in 1000 steps, relative to the largest sum of magnitudes in these steps.
 Drift drift_of(Rig rig) {
   const Momentum before = momentum_of(rig.view());
   Drift worst;
@@ -413,8 +413,8 @@ TEST(FidelityV6, TurningBlockKeepsItsMomentaInTheKernel) {
   EXPECT_LT(drift.angular, 1e-4);
 }
 
-// Damping evaluates the clusters at u + tau v. Their forces carry no torque about those places;
-// about the particles it is therefore -tau sum(v x f), which is small and known.
+// Damping evaluates the clusters at u + tau v. Their forces have no torque about these positions;
+// so about the particles they have -tau sum(v x f), which is small and known.
 TEST(FidelityV6, DampingKeepsLinearMomentumAndHasNoTorqueAboutWhereItActs) {
   for (const bool turning : {false, true}) {
     Rig rig = free_block(Config{}.tissue_damping_s, turning);
@@ -432,7 +432,7 @@ TEST(FidelityV6, DampingKeepsLinearMomentumAndHasNoTorqueAboutWhereItActs) {
         velocity.push_back(velocity_of(view, k));
       });
       step(rig);
-      Momentum pushed;  // what the step gave, about where the damping acts
+      Momentum pushed;  // given by the step, about where the damping acts
       std::size_t at = 0;
       for_each_node(view, [&](Node node) {
         const std::uint32_t k = node_index(view, node);
@@ -486,9 +486,8 @@ TEST(FidelityV7, NeutralInsertionChangesNothingInDouble) {
   }
 }
 
-// The kernel's own insertion: a needle that takes hold of strained tissue is not felt, and the
-// tissue does not feel it, although eight voxels share the new particle, around a place an edge
-// deeper.
+// The kernel's own insertion: when a needle takes hold of strained tissue, neither feels a force,
+// although eight voxels share the new particle, around a place an edge deeper.
 TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
   Draw draw;
   for (int i = 0; i < 20; ++i) {
@@ -511,7 +510,7 @@ TEST(FidelityV7, NeutralInsertionChangesNoForceInTheKernel) {
     ASSERT_EQ(view.state.tip->support_count, kSupportsPerParticle);
     gather_coupled(view.model, view.state, view.scratch);
     const std::vector<Vec> after = node_forces(rig);
-    let_rotations_follow(rig, 1);  // makes the fit that forces are measured from
+    let_rotations_follow(rig, 1);  // makes the match from which forces are measured
     measure_forces(view.model, view.state);
     const double weight = static_cast<double>(view.state.tip->stiffness_n_per_m) / kSpring;
     EXPECT_LT(to_vec(view.state.tip->force_n).norm(), 3e-6 * kForceScale * weight);

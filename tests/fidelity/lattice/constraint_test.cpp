@@ -18,11 +18,12 @@ namespace {
 constexpr float kEdge = 0.005F, kShear = 2000;
 constexpr double kSpring = static_cast<double>(kShear * kEdge);  // G h
 constexpr float kPush = 0.01F * kEdge;
-// Goals are rounded to 1e-7 of an edge, 1e-5 of the push, and tissue moves by a quarter of it.
+// Goals are rounded to 1e-7 of an edge, which is 1e-5 of the push, and tissue moves by a quarter of
+// the push.
 constexpr double kStill = 4e-5;
 
-// The origin for which a place, in voxel edges, lies at 0. The needle's places are world
-// coordinates as floats: near 0 their rounding does not show in these small pushes.
+// The origin for which a given place, in voxel edges, lies at 0. The needle's positions are world
+// coordinates as floats: near 0 their rounding does not matter in these small pushes.
 Vec3 middle_at(const Vec& centre) {
   return -kEdge * Vec3{static_cast<float>(centre.x()), static_cast<float>(centre.y()),
                        static_cast<float>(centre.z())};
@@ -112,7 +113,8 @@ INSTANTIATE_TEST_SUITE_P(Table, FidelityV13, testing::ValuesIn(kPointTable),
                                   "Weight" + std::to_string(static_cast<int>(c.weight));
                          });
 
-// All corners held: what the hand feels in the first instant. At the centre 8 w / (8 + w).
+// All corners are held: this is what the hand feels in the first instant. At the centre 8 w / (8 +
+// w).
 TEST(FidelityV13Frozen, InstantaneousStiffnessOfOneConstraintParticle) {
   struct Case {
     Vec3 offset;
@@ -126,7 +128,7 @@ TEST(FidelityV13Frozen, InstantaneousStiffnessOfOneConstraintParticle) {
     tiny.origin_m = middle_at(Vec::Constant(1.5));
     Rig rig = make_rig(tiny, resting_config(1, 0, 3));
     fix_beyond(rig, Vec(0, 0, 0), 0);
-    constexpr float kSmall = 5e-4F * kEdge;  // the corner's turns the voxel: not linear for long
+    constexpr float kSmall = 5e-4F * kEdge;  // linear only if small: the voxel turns
     const Particle& p = hold_constraint_particle(rig, {1, 1, 1}, kEdge * c.offset, {0, 0, -kSmall},
                                                  c.weight * kShear * kEdge);
     step(rig);
@@ -144,8 +146,8 @@ double annulus_stiffness(double a, double b, double poisson) {
          (n * n * std::log(b / a) - (b * b - a * a) / (b * b + a * a));
 }
 
-// One constraint particle in every voxel of a line: by symmetry one slice of one voxel is enough,
-// which cannot move along the line. The line is along z, the push along x.
+// One constraint particle in every voxel of a line: by symmetry a slice one voxel thick is enough,
+// whose nodes cannot move along the line. The line is along z, the push along x.
 double line_stiffness(std::uint32_t radius, float poisson, float weight) {
   const auto across = static_cast<std::uint16_t>(2 * radius + 1);
   const Vec centre = Vec::Constant(radius + 0.5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// True mass: the filter against the polynomial that it stands for (in closed form and double
-// precision, on the eigenvectors of a dense matrix), what it conserves, that it is stable, and that
-// a moving hand feels what it feels with 32 substeps.
+// True mass: the filter against the polynomial that it applies (in closed form and double
+// precision, on the eigenvectors of a dense matrix); what it conserves; that it is stable; and that
+// a moving hand feels the same as with 32 substeps.
 
 #include "laws/filter.h"
 
@@ -71,8 +71,8 @@ Config random_config(Random& random) {
   return config;
 }
 
-// Mass and L of filter.h from the body's description, and the node of each row; held nodes have
-// none.
+// Mass and L of filter.h from the body's description, and the node of each row; held nodes have no
+// row.
 struct Lattice {
   std::vector<std::uint32_t> node;
   Column mass_kg;
@@ -139,7 +139,7 @@ double share_left(int passes, double damping) {
   const double w0 = 1 + damping / (n * n);
   return (1 + chebyshev(n, w0)) / ((1 + w0) * chebyshev_slope(n, w0));
 }
-// The most damping, from 1 to 2, that leaves no more than `share` of s.
+// The most damping, from 1 to 2, that leaves at most the fraction `share` of s.
 double damping_for(int passes, double share) {
   double damping = 1;
   for (double step = 1; step > 1e-9; step /= 2) {
@@ -157,7 +157,7 @@ double polynomial(int passes, double damping, double z) {
   return (1 - chebyshev(n, x) / top) / (z * (1 + w0) * chebyshev_slope(n, w0) / top);
 }
 
-// Mass in the step: that of the tissue, or more where seven passes are not enough.
+// Mass in the step: that of the tissue, or more if seven passes are not enough.
 double kg_of_step(const View& view, std::uint32_t node) {
   return static_cast<double>(view.model.head->substep_s) /
          static_cast<double>(view.model.step_per_mass[node]);
@@ -252,15 +252,15 @@ TEST(Filter, IsThePolynomialOnEveryWave) {
       }
     }
   }
-  // The sample is only of use if it has bodies with few passes and with many.
+  // The sample is useful only if it has bodies with few passes and bodies with many.
   EXPECT_GT(seen[0] + seen[1] + seen[2], 3);
   EXPECT_GT(seen[kMaxFilterPasses - 2] + seen[kMaxFilterPasses - 1], 0);
   EXPECT_GT(seen[kMaxFilterPasses], 3);
 }
 
-// A step that is divided into parts for helpers has the same bits (here none come: one thread does
-// all parts), in bodies with holes and overhangs at any plane.
-TEST(Filter, HasTheBitsOfOneThreadWhateverPartsThePlanesAreIn) {
+// A step that is divided into parts for helpers has the same bits (no helper comes here: one thread
+// does all parts), in bodies with holes and overhangs at any plane.
+TEST(Filter, HasTheBitsOfOneThreadHoweverThePlanesAreDivided) {
   for (std::uint32_t round = 0; round < 60; ++round) {
     const auto moved = [&](std::uint32_t helpers) {
       Random random(round);
@@ -300,7 +300,7 @@ TEST(Filter, KeepsMomentumAndItsMoment) {
   for (int round = 0; round < 20; ++round) {
     const TinyOrgan tiny = random_body(random, 500, 1e5, 0.45);
     Config config = random_config(random);
-    config.tissue_damping_s = 0;  // drag along e, beside the places, has a moment
+    config.tissue_damping_s = 0;  // drag along e, beside the positions, has a moment
     Rig rig = random_rig(random, tiny, config);
     View view = rig.view();
     crush(random, view, 0.03);
@@ -350,7 +350,7 @@ TEST(Filter, KeepsMomentumAndItsMoment) {
                                                      view.model.head->substep_s);
     if (fastest >= bound) continue;
     ++rounds;
-    // Rounding only, of some hundred floats in each of the steps.
+    // Only rounding, of some hundred floats in each of the steps.
     const double span = static_cast<double>(tiny.voxel_edge_m) * 12;
     EXPECT_LT((linear_after - linear).norm(), 2e-5 * most) << "round " << round;
     EXPECT_LT((angular_after - angular).norm(), 2e-5 * most * span) << "round " << round;
@@ -358,7 +358,7 @@ TEST(Filter, KeepsMomentumAndItsMoment) {
   EXPECT_GE(rounds, 10);
 }
 
-// No wave grows: any material, any period, voxels that are crushed and inside out.
+// No wave grows, with any material, any period, and voxels that are crushed or inside out.
 TEST(Filter, NoWaveGrows) {
   Random random(37);
   for (int round = 0; round < 100; ++round) {
@@ -381,14 +381,14 @@ TEST(Filter, NoWaveGrows) {
       most = std::max(most, now.elastic + now.kinetic);
     }
     EXPECT_TRUE(std::isfinite(early) && early > 0);
-    // What the step conserves is not this sum, which sways about it. A wave that grew by a
+    // The step conserves not this sum but a value about which it oscillates. A wave that grew by a
     // thousandth a step would be seven times as large.
     EXPECT_LE(late, 1.1 * early) << "round " << round;
   }
 }
 
-// A free body loses its motion to the surroundings' drag, as usual, whatever spin the damping gives
-// or takes (PHYSICS 18.2).
+// A free body loses its motion to the drag of its surroundings, whatever spin the damping gives or
+// takes (PHYSICS 18.2).
 TEST(Filter, FreeBodiesComeToRest) {
   Random random(41);
   for (int round = 0; round < 300; ++round) {
@@ -438,7 +438,7 @@ TinyOrgan liver_block(double edge_m, double lean) {
   capsule.membrane_n_per_m = 1000;  // 0.1 mm of 10 MPa
   tiny.materials = {liver, capsule};
   const std::uint16_t nx = tiny.nx, ny = tiny.ny, nz = tiny.nz;
-  // Leans, so that none of its faces is a plane of the lattice.
+  // It leans, so that none of its faces is a plane of the lattice.
   const auto in = [=](int x, int y, int z) {
     const double shift = lean * z;
     return x >= std::lround(shift) && x < nx - 2 + std::lround(shift) && x < nx && y >= 0 &&
@@ -453,8 +453,8 @@ TinyOrgan liver_block(double edge_m, double lean) {
   return tiny;
 }
 
-// A needle 55 mm deep, 1 s of rest, then a hand that moves 1 mm to and fro. Returns the largest
-// force along its way less the smallest, in the last period, in N.
+// A needle 55 mm deep rests for 1 s, then the hand moves 1 mm to and fro. Returns the largest minus
+// the smallest force along its way in the last period, in N.
 std::vector<double> swings(const Organ& organ, const Config& config, Vec3 entry_m,
                            const std::vector<std::pair<Vec3, double>>& hands) {
   Session session = make_session(organ, config);
@@ -495,8 +495,8 @@ std::vector<double> swings(const Organ& organ, const Config& config, Vec3 entry_
   return out;
 }
 
-// Directions and places are drawn. With one substep only up to 4 Hz: at 8 Hz, near the block's
-// resonance of 10 Hz, the hundredths of mass that the filter adds are a tenth of the force. (With
+// Directions and places are random. With one substep only up to 4 Hz: at 8 Hz, near the block's
+// resonance of 10 Hz, the few per cent of mass that the filter adds are a tenth of the force. (With
 // two substeps of added mass the swing is 0.62 of this one at 4 Hz, and 14 times as large at 8 Hz.)
 TEST(TrueMass, MovingHandFeelsWhatItFeelsWithThirtyTwoSubsteps) {
   Random random(53);
@@ -529,9 +529,9 @@ TEST(TrueMass, MovingHandFeelsWhatItFeelsWithThirtyTwoSubsteps) {
   }
 }
 
-// From the frequency on that is told (resonance.h), a hand that moves a stiff needle sideways feels
-// about a tenth more or less with added mass: somewhere between a twentieth and a fifth.
-TEST(AddedMass, DepartsFromTheFrequencyThatIsTold) {
+// From the reported frequency on (resonance.h), a hand that moves a stiff needle sideways feels
+// about a tenth more or less with added mass: between a twentieth and a fifth.
+TEST(AddedMass, DepartsFromTheReportedFrequencyOn) {
   Random random(61);
   const auto opened = open_organ(tiny_organ(liver_block(5e-3, 0.15)));
   Config config;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // V12: indentation of a half-space by a punch, a point load and a sphere.
 //
-// The half-space is a half ball: nodes beyond its radius R are fixed. To them, a load F at the
-// middle is a point load, so that the boundary takes F beta / R off the indentation, with one beta
+// The half-space is a half ball: nodes beyond its radius R are fixed. Seen from there, a load F at
+// the middle is a point load, so the boundary reduces the indentation by F beta / R, with one beta
 // for every load: results are extrapolated linearly in 1 / R.
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Rig half_ball(std::uint32_t radius, float poisson, float hourglass) {
   return rig;
 }
 
-// Place of a surface node from the middle of the surface, in voxel edges.
+// Position of a surface node relative to the middle of the surface, in voxel edges.
 struct Spot {
   std::uint32_t node;
   double x, y;
@@ -68,7 +68,7 @@ double punch_compliance(std::uint32_t radius, double half, float poisson, float 
   return depth / pushed_with(rig);
 }
 
-// beta in c(R) = c - beta / R, the compliance that the half-space has beyond the ball's; R in voxel
+// beta in c(R) = c - beta / R: what the half-space's compliance has beyond the ball's; R in voxel
 // edges.
 double boundary_of(double near, double far) {
   return (far - near) / (1.0 / kNear - 1.0 / kFar);
@@ -152,7 +152,7 @@ struct Indent {
   double depth_m, force_n, contact_radius;
 };
 
-// Presses a frictionless rigid sphere in; no surface node may be inside it. Returns the depth,
+// Presses in a frictionless rigid sphere; no surface node may be inside it. Returns the depth,
 // extrapolated to the half-space.
 Indent press_sphere(double sphere_radius_m, double depth_m, float poisson, double beta) {
   Rig rig = half_ball(kFar, poisson, kWeighted);

@@ -34,8 +34,8 @@ void pull_bar(Rig& rig) {
   });
 }
 
-// What a testing machine would read off the pulled bar: force on the clamp over area, and narrowing
-// of the side.
+// What a testing machine would measure on the pulled bar: the force on the clamp over its area, and
+// the narrowing of the side.
 Elasticity read_bar(const Rig& rig) {
   View view = rig.view();
   const ModelHead& head = *view.model.head;
@@ -93,9 +93,9 @@ double lambda_of(const Elasticity& e) {
          ((1 + e.poisson_ratio) * (1 - 2 * e.poisson_ratio));
 }
 
-// A bar that is skin all through, one voxel thick or several. In tension its modulus is the
-// tissue's plus the skin's modulus times thickness over the edge, whatever the tissue's Poisson
-// ratio. Its lambda, and so the speed of pressure, is the tissue's.
+// A bar of skin throughout, one voxel thick or several. In tension its modulus is the tissue's plus
+// the skin's modulus times thickness over the edge, for any Poisson ratio of the tissue. Its
+// lambda, and so the speed of pressure waves, is the tissue's.
 TEST(FidelityV8, SkinAddsToTensionAloneWhateverTheVoxelAndTheTissue) {
   std::mt19937 random(29);
   const auto between = [&](double low, double high) {
@@ -173,7 +173,7 @@ TEST(FidelityV10, LayersInSeriesGiveTheHarmonicMean) {
 
 // ---- V11
 
-// Bends a plate one voxel wide and `layers` thick between end faces that turn against each other.
+// Bends a plate one voxel wide and `layers` thick by turning its end faces against each other.
 // Returns the moment over that of Euler and Bernoulli.
 double bending_ratio(int layers, float hourglass) {
   constexpr std::uint16_t kLength = 8;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first resonance that the set-up and reports name: against beams in closed form, and against
-// the kernel's own lattice after a push, with added and with true mass.
+// The first resonance, which reports name: against beams in closed form, and against the kernel's
+// own lattice after a push, with added and with true mass.
 
 #include "stylet/resonance.h"
 
@@ -28,9 +28,9 @@ TinyOrgan beam(std::uint16_t nx, std::uint16_t ny, std::uint16_t nz, const TinyM
   return tiny;
 }
 
-// Bernoulli's cantilever with Timoshenko's shear by Dunkerley's rule: 1 / f^2 adds up, of bending
-// (1.875^2 / (2 pi L^2) sqrt(E I / (rho A))) and of shear (sqrt(5/6 G / rho) / (4 L)).
-TEST(Resonance, OfABeamIsThatOfItsClosedForm) {
+// Bernoulli's cantilever with Timoshenko's shear by Dunkerley's rule: 1 / f^2 is the sum of those
+// of bending (1.875^2 / (2 pi L^2) sqrt(E I / (rho A))) and of shear (sqrt(5/6 G / rho) / (4 L)).
+TEST(Resonance, OfABeamIsItsClosedForm) {
   std::mt19937 random(5);
   for (int round = 0; round < 8; ++round) {
     const double edge_m = between(random, 2e-3, 6e-3);
@@ -86,9 +86,9 @@ double swaying_hz(Rig& rig, Vec3 push, double expected_hz) {
   return best_hz;
 }
 
-// Beams of two tissues, drawn, and pushed along the axis in which they are thin. The last one has
-// so many voxels that a cell of the estimate holds eight of them.
-TEST(Resonance, IsWhatTheLatticeSwaysAtWhenItIsLetGo) {
+// Random beams of two tissues, pushed along the axis in which they are thin. The last one has so
+// many voxels that a cell of the estimate holds eight of them.
+TEST(Resonance, IsTheFrequencyOfTheLatticeAfterAPush) {
   std::mt19937 random(17);
   for (int round = 0; round < 9; ++round) {
     const bool large = round == 8;
@@ -119,15 +119,15 @@ TEST(Resonance, IsWhatTheLatticeSwaysAtWhenItIsLetGo) {
   }
 }
 
-TEST(Resonance, OfWhatNothingHoldsIsNone) {
+TEST(Resonance, AFreeBodyHasNone) {
   const Rig rig = make_rig(block_of(3, 4, 5, elastic(1e4F, 0.3F)), Config{});
   const Resonance of = first_resonance(rig.session.kernel);
   EXPECT_EQ(of.real_hz, 0);
   EXPECT_FALSE(of.departs_hz < kFastestHandHz);
 }
 
-// Nor of what is held at every corner.
-TEST(Resonance, OfWhatCannotMoveIsNone) {
+// Nor has a body that is held at every corner.
+TEST(Resonance, ABodyThatCannotMoveHasNone) {
   TinyOrgan tiny = beam(3, 3, 1, elastic(1e4F, 0.3F), 5e-3);
   tiny.fixed_faces = kLowZ | kHighZ;
   for (const Inertia inertia : {Inertia::kAddedMass, Inertia::kTrueMass}) {
@@ -141,8 +141,8 @@ TEST(Resonance, OfWhatCannotMoveIsNone) {
   }
 }
 
-// A piece that nothing holds changes nothing beside one that is held.
-TEST(Resonance, LeavesOutWhatNothingHolds) {
+// A free piece beside one that is held changes nothing.
+TEST(Resonance, LeavesOutFreePieces) {
   TinyOrgan tiny = beam(3, 3, 9, elastic(1e4F, 0.3F), 5e-3);
   const double alone_hz = first_resonance(make_rig(tiny, Config{}).session.kernel).real_hz;
   tiny.nx = 8;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block of tissue on a test bench: nodes are held or loaded by hand, forces read, motion damped
-// out.
+// A block of tissue on a test bench: nodes are held or loaded by hand, forces are read, motion is
+// damped out.
 //
 // The kernel's own step does all the work. A held component is put back after every step, so that
 // the velocity which the step gave it, divided by the step per mass, is the force on it: reactions
@@ -71,8 +71,8 @@ inline Rig make_rig(const TinyOrgan& tiny, const Config& config) {
   return rig;
 }
 
-// The sweep alone, from forces straight to velocities: the tests here read these and hold them. The
-// filter that comes between the two with true mass has tests of its own (filter_test.cpp).
+// The sweep alone, from forces straight to velocities: the tests here read these and hold them.
+// With true mass the filter comes between the two; it has tests of its own (filter_test.cpp).
 inline Config sweep_config() {
   Config config;
   config.inertia = Inertia::kAddedMass;
@@ -80,14 +80,14 @@ inline Config sweep_config() {
   return config;
 }
 
-// A softly damped step that ends at rest in few steps: the time step is so long that every mass is
-// the least stable one, and the drag is critical for a wave as long as twice `cells`.
+// A configuration that comes to rest in few steps: the time step is so long that every mass is the
+// smallest stable one, and the drag is critical for a wave twice as long as `cells`.
 inline Config resting_config(float hourglass_weight, float poisson, std::uint32_t cells) {
   Config config = sweep_config();
   config.period_s = kMaxPeriodS;
   config.tissue_damping_s = 0;
   config.hourglass_weight = hourglass_weight;
-  // The bound on stiffness, with that of constraint particles, is 0.8 of the limit (filter.h).
+  // The bound on stiffness, constraint particles included, is 0.8 of the limit (filter.h).
   const float slowness = std::sqrt((2 + 3 * poisson / (1 - 2 * poisson)) / 1.6F);
   const float turn = 3.14F / (2 * static_cast<float>(cells) * slowness);  // angle per step
   config.surround_drag_per_s = std::min(2 * turn, 0.9F) / config.period_s;
@@ -230,7 +230,7 @@ inline int settle(Rig& rig, double still = 1e-6) {
   return settle(rig, still, [] {});
 }
 
-// Forces on all nodes as they stand, without moving anything.
+// Forces on all nodes where they are, without moving anything.
 inline std::vector<Vec> node_forces(Rig& rig) {
   View view = rig.view();
   const Kernel& kernel = rig.session.kernel;

@@ -92,7 +92,7 @@ Vec ordinary(Draw& draw) {
 Vec flat(Draw& draw) {
   return {draw.between(0.2, 2), draw.between(0.2, 2), 1e-6};
 }
-// Inverted along one axis, by clearly less than it is stretched along the other two: else there is
+// Inverted along one axis, with clearly less stretch than along the other two: otherwise there is
 // no best rotation.
 Vec inverted(Draw& draw) {
   return {draw.between(0.7, 1.4), draw.between(0.7, 1.4), draw.between(-0.5, -0.05)};

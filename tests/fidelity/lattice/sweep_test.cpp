@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// V4 for a whole lattice against one voxel after the other in double precision: rows of any length,
-// longer and shorter than what the sweep fits at a time, with holes, and with ends at different
-// places.
+// V4 for a whole lattice against single voxels in double precision: rows of any length, longer and
+// shorter than the group of voxels that the sweep matches at a time, with holes, and with ends at
+// different places.
 
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@ constexpr double kSpring = static_cast<double>(kShear) * kEdgeD;
 constexpr float kHourglassWeight = 1.0F / 3;
 
 struct RowPlan {
-  std::uint32_t begin, count, hole;  // a hole of so many voxels in every 37 + hole
+  std::uint32_t begin, count, hole;  // 37 voxels and a hole of so many, in turn
 };
 
-// Rows (y, z) that begin anywhere; some are empty, some as short as one voxel, some in pieces.
+// Rows (y, z) that begin anywhere; some are empty, some are one voxel, some are in pieces.
 struct Lattice {
   static constexpr std::uint16_t kNx = 420, kNy = 9, kNz = 4;
   RowPlan row[kNz][kNy];
@@ -69,7 +69,8 @@ Vec residuals(std::mt19937_64& random, double size) {
   return {any(random), any(random), any(random)};
 }
 
-// What the corners of all voxels feel, and their constraint particles, one in every 80th voxel.
+// Forces on the corners of all voxels, and on the constraint particles that are in every 80th
+// voxel.
 struct Expected {
   std::vector<Vec> node, held;
 };
@@ -85,7 +86,7 @@ void for_each_voxel(const Lattice& lattice, Visit visit) {
   }
 }
 
-// Moves all nodes anyhow, by up to a quarter of an edge.
+// Moves all nodes at random, by up to a quarter of an edge.
 Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
   View view = rig.view();
   std::vector<Vec> moved(view.model.head->counts.particles);
@@ -119,7 +120,8 @@ Expected load(Rig& rig, const Lattice& lattice, std::mt19937_64& random) {
 }
 
 TEST(FidelityV4, SweepAddsUpWhatEveryVoxelSends) {
-  // A node adds up eight voxels, each as near the reference as a single one (cluster_test.cpp).
+  // A node adds up the forces of eight voxels, each as near the reference as a single one
+  // (cluster_test.cpp).
   constexpr double kTolerance = 8 * 3e-6 * 3 * kSpring * kEdgeD;
   // The place of a constraint particle is a float, at most two metres from the origin.
   constexpr double kHeldTolerance = kTolerance + 3 * kSpring * Lattice::kNx * kEdgeD * 1.2e-7;
@@ -150,9 +152,9 @@ TEST(FidelityV4, SweepAddsUpWhatEveryVoxelSends) {
   }
 }
 
-// The sweep keeps the sums of some rows at a time. A window that only one row reaches must not read
-// where another row's would be. (It once read before the sums, masked, and in large organs beyond
-// the memory.)
+// The sweep keeps the sums of a few rows at a time. A window that only one row reaches must not
+// read where the sums of another row would be. (It once did, masked, and so read before the sums,
+// and in large organs beyond the memory.)
 TEST(FidelityV4, WindowsOfOneRowReadNoOther) {
   std::mt19937_64 random(2012);
   const Rig rig = rig_of(draw_lattice(random));

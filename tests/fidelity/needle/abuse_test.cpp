@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the loads and the hand do, a needle is finite, has the right length, and is at rest soon
-// after.
+// Whatever the loads and the hand do, a needle is finite, has the right length, and soon comes to
+// rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,15 +50,15 @@ std::unique_ptr<Needle> any_needle(Draw& draw) {
   return needle(rods, length_m, bending_nm2, rest);
 }
 
-// Spring of a random direction or of all.
+// A spring along a random direction, or along all.
 Sym3d any_spring(Draw& draw, double stiffness) {
   const Vec3d v = draw.within(1);
   if (draw.count(0, 1) == 1) return stiffness * kIsotropic;
   return stiffness * Sym3d{v.x * v.x, v.x * v.y, v.x * v.z, v.y * v.y, v.y * v.z, v.z * v.z};
 }
 
-// Forces up to 30 N on needles from 26G to 14G, springs as of tissue and bone that pull them
-// centimetres aside.
+// Forces up to 30 N on needles from 26G to 14G, and springs as stiff as tissue and bone that pull
+// them centimetres aside.
 void load_hard(Needle& n, Draw& draw) {
   n.loads.count = 0;
   const std::uint32_t count = draw.count(0, 30);
@@ -114,7 +114,7 @@ TEST(Abuse, TeleportsAndAbsurdNumbersStayFinite) {
   }
 }
 
-// Needle pushed on its tip, through its buckling load and far beyond, then released.
+// A needle is pushed on its tip, through its buckling load and far beyond, then released.
 TEST(Abuse, ThinNeedleUnderThirtyNewtonsBucklesOnceAndComesBack) {
   const auto n = needle(64, 0.12, 6.425e-4);
   n->push(0.12, {1e-3, 0, 0});
@@ -130,8 +130,8 @@ TEST(Abuse, ThinNeedleUnderThirtyNewtonsBucklesOnceAndComesBack) {
   EXPECT_LT(norm(n->tip() - Vec3d{0, 0, -0.12}), 1e-10);
 }
 
-// A tip is held fast while the handle comes nearer: the needle bows to one side and stays there.
-// Its energy falls until it rests, and nothing flips afterwards.
+// A tip is held while the handle comes nearer: the needle bows to one side and stays there. Its
+// energy falls until it rests, and it does not flip afterwards.
 TEST(Abuse, SnapThroughEndsAndNeverFlipsBack) {
   const auto n = needle(64, 0.15, 2.318e-3);
   n->hold(0.15, {0, 0, -0.15}, 1e4 * kIsotropic);
@@ -154,8 +154,8 @@ TEST(Abuse, SnapThroughEndsAndNeverFlipsBack) {
   }
 }
 
-// Pressed along its axis far beyond its buckling load, by steps that begin as careful as after one
-// that found no way, it ends as the elastica: under (2 K / pi)^2 of Euler's load the tip is at
+// A needle is pressed along its axis far beyond its buckling load, with Newton steps as short as
+// after one that failed. It ends as the elastica: under (2 K / pi)^2 of Euler's load the tip is at
 // 2 E / K - 1 of the length (Timoshenko and Gere, Theory of Elastic Stability, 2.7).
 TEST(Abuse, CarefulStepsUnderManyTimesTheBucklingLoadFindTheElastica) {
   const double length_m = 0.15, bending_nm2 = 2.6e-3;

@@ -49,8 +49,8 @@ TEST(Cantilever, LargeDeflectionIsTheElastica) {
   }
 }
 
-// A moment at the tip, as a pair of forces across the last rod that turns with it. (A pair that
-// keeps its direction lets a needle that is turned by more than a right angle slip out of the
+// A moment at the tip, as a pair of forces across the last rod that turns with it. (With a pair
+// that keeps its direction, a needle that is turned by more than a right angle slips out of the
 // plane.)
 TEST(Cantilever, EndMomentBendsItToACircle) {
   constexpr std::uint32_t kRods = 40;
@@ -101,9 +101,9 @@ TEST(Buckling, ClampedFreeIsHenckysChain) {
   EXPECT_NEAR(buckling_n(40, 0) / euler_n, 1, 1e-3);
 }
 
-// A chain pinned at both ends is two clamped-free ones, back to back: the clamp's half rod is half
-// of its middle one. Ratios to Euler's load with 10, 20 and 40 rods.
-TEST(Buckling, PinnedPinnedIsTwoOfThem) {
+// A chain pinned at both ends is two clamped-free ones, back to back: the half rod at the clamp is
+// half of its middle rod. Ratios to Euler's load with 10, 20 and 40 rods.
+TEST(Buckling, PinnedPinnedIsTwoClampedFreeChains) {
   const double euler_n = kPi * kPi * kBending / (4 * kLength * kLength);
   EXPECT_NEAR(buckling_n(5, 0) / euler_n, 0.99180, 1e-5);
   EXPECT_NEAR(buckling_n(10, 0) / euler_n, 0.99795, 1e-5);

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The needle's solve costs the same whatever happens to the needle.
+"""Solving a needle costs the same whatever happens to the needle.
 
 Counts the instructions of solve_rod and all it calls, for the easiest and the hardest cases, and
 compares: less than 3 % between any two.
@@ -26,7 +26,7 @@ CASES = {
 
 
 def instructions(program, case, rods):
-    """Per tick, solve_rod with what it calls."""
+    """Instructions a tick, of solve_rod with what it calls."""
     with tempfile.TemporaryDirectory() as folder:
         profile = pathlib.Path(folder) / "profile"
         command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}",
@@ -46,7 +46,7 @@ def main(program, rods="64"):
         print(f"{rods} rods: {count:8.0f} instructions a tick: {CASES[case]}")
     spread = max(counted.values()) / min(counted.values()) - 1
     print(f"spread {100 * spread:.2f} %, allowed are {100 * SPREAD:.0f} %")
-    # Fewer than this, and something else than the solve was counted.
+    # If there are fewer, something else than the solve was counted.
     return not (spread < SPREAD and min(counted.values()) > 1000 * int(rods))
 
 

@@ -12,7 +12,7 @@
 namespace stylet::test {
 namespace {
 
-// Numbers in [-1, 1) that every library draws alike.
+// Random numbers in [-1, 1) that are the same with every library.
 struct Draw {
   std::uint64_t state = 88172645463325252U;
   double next() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// V18, V19: a needle in an elastic foundation of springs, and that the handle carries all loads.
+// V18, V19: a needle in an elastic foundation of springs; and the handle carries all loads.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -22,7 +22,7 @@ void embed(Needle& n, double free_m, double handle_x_m) {
   }
 }
 
-// Force and moment the hand needs (N, Nm) for a small sideways motion or turn of the handle.
+// Force and moment (N, Nm) that the hand needs for a small sideways motion or turn of the handle.
 struct Answer {
   double force_n, moment_nm;
 };
@@ -49,7 +49,7 @@ TEST(Foundation, FreeBeamLoadedAtItsEnd) {
     EXPECT_NEAR(y * 1e3 / row.y_mm, 1, 1e-4);
     EXPECT_NEAR(turn / row.turn_rad, 1, 1e-4);
 
-    // The handle clamps; a free end is the motion of the handle that needs no moment.
+    // The handle is a clamp; a free end is a motion of the handle that needs no moment.
     const double x_m = 1e-6, turn_rad = 1e-5;
     const Answer a = moved(40, row.length_m, row.bending, x_m, 0);
     const Answer b = moved(40, row.length_m, row.bending, 0, turn_rad);

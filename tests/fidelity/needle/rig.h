@@ -53,7 +53,7 @@ struct Needle {
   }
 
   void tick() { solve_rod(model, handle.wxyz, loads, shape, scratch, result); }
-  // Ticks until the step that is asked for is below the bound; false: it never was.
+  // Ticks until the step still needed is below the bound; false: it never was.
   bool settle(double bound_rad = 1e-13, int most_ticks = 400) {
     for (int i = 0; i < most_ticks; ++i) {
       tick();
@@ -78,7 +78,7 @@ inline Sym3d operator*(double s, const Sym3d& k) {
 
 // Over all joints, the largest difference between the moment of the loads beyond the joint and the
 // moment with which its spring answers, about the axes that it bends about. The spring's law is
-// that of the rod's header, written once more.
+// that of the rod's header, written out again.
 inline double worst_moment_error(const Needle& n) {
   double worst = 0;
   for (std::uint32_t j = 0; j < n.model.rods; ++j) {

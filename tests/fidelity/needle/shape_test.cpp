@@ -31,7 +31,7 @@ TEST(RestShape, IsKeptWithoutLoad) {
   EXPECT_NEAR(n->result.direction[39].z, -1, 1e-15);
 }
 
-TEST(RestShape, IsFoundAgainFromAnyOther) {
+TEST(RestShape, IsReachedFromAnyOtherShape) {
   const auto n = needle(kRods, kLength, k22G, bent_tip(0.02));
   n->push(kLength, {0.2, 0.3, 0.4});
   ASSERT_TRUE(n->settle());
@@ -43,8 +43,8 @@ TEST(RestShape, IsFoundAgainFromAnyOther) {
 }
 
 TEST(RestShape, HelixOfKinksInTheMaterialsFrame) {
-  // Kinks that turn about the shaft by a fixed angle from joint to joint: a discrete helix, of
-  // which every triple of neighbours has the same shape.
+  // Kinks that turn about the shaft by a fixed angle from joint to joint: a discrete helix, in
+  // which all triples of neighbouring rods have the same shape.
   std::vector<RodKink> rest(kRods);
   for (std::uint32_t j = 1; j < kRods; ++j) {
     rest[j] = {0.1 * std::cos(0.3 * j), 0.1 * std::sin(0.3 * j)};
@@ -120,7 +120,7 @@ TEST(Loads, BetweenNodesActByTheLever) {
 }
 
 // A 22G needle 80 mm in tissue, its handle swung and rolled as fast as a hand can: each tick's
-// shape against the equilibrium of that tick.
+// shape is compared with the equilibrium of that tick.
 TEST(WarmStart, FollowsAHandWithinAMicrometre) {
   const auto n = needle(kRods, kLength, k22G, bent_tip(0.01));
   double worst_m = 0, largest_motion_m = 0;

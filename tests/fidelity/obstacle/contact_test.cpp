@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a touch does: the law, friction, continuity over faces and edges, energy, abuse.
+// Contact with an obstacle: its law, friction, continuity over faces and edges, energy, abuse.
 #include <functional>
 #include <limits>
 
@@ -23,7 +23,7 @@ NeedlePiece tip_at(double x, double y, double z) {
   return {at, at, kNeedleRadiusM};
 }
 
-// A contact, together with what it was in the last step.
+// A contact, together with its state of the last step.
 struct Touching {
   Obstacle body;
   ObstacleContact state = {};
@@ -42,7 +42,7 @@ double length_of(Vec3 v) {
 
 // ---- the law ------------------------------------------------------------------------------------
 
-TEST(Law, PressesAsWrittenFromTheFirstTouchToTheLargestForce) {
+TEST(Law, ForceIsLinearFromTheFirstTouchToTheLargestForce) {
   for (double depth : {1e-6, 1e-5, 1e-4, 1e-3, 3e-3}) {
     Touching touch = {box()};
     ObstacleLoad load = {};
@@ -96,7 +96,7 @@ TEST(Law, LinearLoadPredictsTheNextForce) {
   }
 }
 
-TEST(Law, RefusesWhatIsNoBody) {
+TEST(Law, RefusesBodiesThatAreInvalid) {
   Obstacle body = {};
   const auto refused = [&](const std::function<void(ObstacleConfig&)>& spoil) {
     ObstacleConfig config = bone_box(kHalf);
@@ -141,7 +141,7 @@ Jumps largest_jumps(const Obstacle& body, int steps,
   return jumps;
 }
 
-// With half the step a continuous force changes half as much; a jump stays what it is.
+// With half the step a continuous force changes half as much; a jump stays as large.
 void expect_continuous(const char* name, const Obstacle& body,
                        const std::function<NeedlePiece(double)>& path, int steps = 1000) {
   const Jumps coarse = largest_jumps(body, steps, path);
@@ -172,8 +172,8 @@ TEST(Continuity, OverAnEdgeWithTheTip) {
 }
 
 TEST(Continuity, OverAnEdgeWithTheShaft) {
-  // The piece leans over the edge x = 5 mm, z = 5 mm. Moved along itself, its push stays the same
-  // and the place of the push runs along.
+  // The piece leans over the edge x = 5 mm, z = 5 mm. When it moves along its own axis, the force
+  // stays the same and its place moves along the piece.
   const Jumps along_itself = largest_jumps(box(), 1000, [](double t) {
     const Vec3d along = {0.8, 0, -0.6};
     const Vec3d over =
@@ -205,8 +205,8 @@ TEST(Continuity, FromATouchToDeepInside) {
   });
 }
 
-TEST(Continuity, DeepInsideThePushTurnsSlowlyWhereverTheNeedleLeaves) {
-  // 2 mm below the top, out through the side at 50 mm/s: the push must not flip from up to
+TEST(Continuity, DeepInsideTheForceTurnsSlowlyWhereverTheNeedleLeaves) {
+  // 2 mm below the top, out through the side at 50 mm/s: the force must not flip from up to
   // sideways.
   const Jumps jumps = largest_jumps(box(), 100, [](double t) {
     const double down = std::min(1.0, 3 * t), side = std::max(0.0, 3 * t - 1);
@@ -305,7 +305,8 @@ TEST(Friction, DoesNotDriftBelowTheLimit) {
 
 // ---- energy -------------------------------------------------------------------------------------
 
-// A smooth path of a piece through touch, slip, edges and deep presses, ending where it began.
+// A smooth path of a piece through first touch, slip, edges and deep penetration, which ends where
+// it began.
 struct Walk {
   Vec3d middle, middle_swing[3], along, along_swing[3];
 
@@ -316,7 +317,7 @@ struct Walk {
       m = m + std::sin(phase * (i + 1)) * middle_swing[i];
       a = a + std::sin(phase * (i + 1)) * along_swing[i];
     }
-    // In from far, and out again.
+    // Comes in from far away, and goes out again.
     m = (1 + radius_out * std::pow(std::cos(phase / 2), 8)) * m;
     return {to_float(m - a), to_float(m + a), kNeedleRadiusM};
   }
@@ -339,7 +340,7 @@ struct Books {
   double work = 0, dissipated = 0, through = 0, elastic_at_end = 0, least_balance = 0;
 };
 
-// Work of the hand against the contact, by the trapezoidal rule at the place of contact.
+// Work of the hand against the contact, by the trapezoidal rule at the point of contact.
 Books keep_books(const Obstacle& body, const Walk& walk, int steps) {
   Touching touch = {body};
   NeedlePiece last_piece = walk.at(0, 2);
@@ -401,7 +402,7 @@ void expect_bounded(const Obstacle& body, const ObstacleLoad& load, const Obstac
   ASSERT_TRUE(load.place >= 0 && load.place <= 1);
 }
 
-TEST(Abuse, AnyJumpGivesAFiniteBoundedForceAndAStiffnessThatHolds) {
+TEST(Abuse, AnyJumpGivesAFiniteBoundedForceAndAValidStiffnessBound) {
   Draw draw;
   for (int body = 0; body < 400; ++body) {
     ObstacleConfig config = bone();

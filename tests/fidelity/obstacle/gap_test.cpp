@@ -9,7 +9,7 @@ namespace {
 
 constexpr Vec3 kHalf = {5e-3F, 8e-3F, 12e-3F};
 constexpr int kPoses = 20000;
-// The result is a float; all before it is double precision.
+// The result is a float; everything before it is in double precision.
 constexpr double kPositionM = 2e-9;
 
 struct Posed {
@@ -18,7 +18,7 @@ struct Posed {
   NeedlePiece piece;
 };
 
-// A piece near the surface of the box of `kHalf`, the box anywhere within 0.1 m.
+// A piece near the surface of the box with half sizes `kHalf`; the box lies anywhere within 0.1 m.
 Posed draw_pose(Draw& draw, const ObstacleConfig& shape, double length_m) {
   ObstacleConfig config = shape;
   config.pose = {draw.vector(0.1), draw.rotation()};
@@ -156,8 +156,8 @@ TEST(Gap, OfAHullOfASphereIsNearTheSphere) {
   Draw draw;
   constexpr double kRadius = 10e-3;
   const Obstacle hull = prepared(bone_hull_of_sphere(kMaxHullVertices, kRadius));
-  // Every direction has a vertex within this angle: the hull lies between the sphere and its
-  // cosine.
+  // Every direction has a vertex within this angle: the hull lies between the sphere and the sphere
+  // scaled by the angle's cosine.
   double widest = 0;
   for (int i = 0; i < kPoses; ++i) {
     const Vec3d direction = to_double(draw.vector(1));
@@ -257,7 +257,7 @@ TEST(WayOut, HoldsItsBudgetAndAlwaysAnswers) {
     ASSERT_NEAR(norm(out), 1, 1e-9);
     square += std::fabs(dot(out, axis.b_m - axis.a_m)) < 1e-12 ? 1 : 0;
   }
-  EXPECT_GT(square, 100);     // some ran out, or did not overlap
+  EXPECT_GT(square, 100);     // some ran out of budget, or did not overlap
   EXPECT_LT(square, 190000);  // and some did not
 }
 
@@ -269,7 +269,7 @@ TEST(Closest, NeedsFewerStepsThanItsBound) {
     const Segment axis = {to_double(draw.vector(2e-2)), to_double(draw.vector(2e-2))};
     const Closest c = closest(hull, axis);
     if (!(c.distance_m > 0)) continue;
-    // The nearest point is found where no vertex lies farther along the normal.
+    // The nearest point has been found if no vertex lies farther along the normal.
     const double bound = dot(c.normal, point_on(axis, c.place)) - reach(hull, c.normal);
     const double ends =
         std::min(dot(c.normal, axis.a_m), dot(c.normal, axis.b_m)) - reach(hull, c.normal);
@@ -312,8 +312,8 @@ void shape_centre(const void* object, ccd_vec3_t* centre) {
 }
 
 // A needle tip lies 0.1 mm deep on a box's top and slides towards its edge. Portal refinement takes
-// the face that the ray from the box's centre meets: it must answer with the side long before the
-// tip is there. If this test fails, the library has become good enough to be used alone.
+// the face that the ray from the box's centre meets, so it answers with the box's side long before
+// the tip is there. If this test fails, the library has become good enough to be used alone.
 TEST(PortalRefinement, TakesTheWrongFaceNearAnEdge) {
   const Obstacle box = prepared(bone_box({5e-3F, 5e-3F, 5e-3F}));
   const ConvexHull hull = {{box.config.vertices_m, 8}, to_double(box.centre_m)};

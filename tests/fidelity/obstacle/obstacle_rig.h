@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies and references for the obstacle tests: drawn poses, a box's signed distance in closed
+// Bodies and references for the obstacle tests: random poses, and a box's signed distance in closed
 // form.
 #pragma once
 
@@ -21,7 +21,7 @@ constexpr float kNeedleRadiusM = 0.35e-3F;  // 22G
 struct Draw {
   std::mt19937_64 engine{20140801};
 
-  // Not std::uniform_real_distribution, whose numbers are the library's to choose.
+  // Not std::uniform_real_distribution, whose numbers differ between libraries.
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
   }
@@ -60,7 +60,7 @@ inline Obstacle prepared(const ObstacleConfig& config) {
   return obstacle;
 }
 
-// Evenly spread points on a sphere (Fibonacci's spiral).
+// Points spread evenly over a sphere (Fibonacci's spiral).
 inline ObstacleConfig bone_hull_of_sphere(std::uint32_t vertices, double radius_m) {
   ObstacleConfig config = bone();
   config.vertex_count = vertices;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The needle must not feel the grid: 200 straight insertions with drawn entry points and
+// The needle must not feel the grid: 200 straight insertions with random entry points and
 // directions, a third of them along voxel faces and a sixth along voxel edges. Their force grows
-// with depth by the friction written in the material, and ripples less than 2 % about that.
+// with depth by the material's friction, and ripples by less than 2 % about that.
 //
 // Sample: 200 insertions (seed below), 45 mm deep, 10 mm/s, 5 mm voxels, 5 mm needle units. Ripple
 // is the standard deviation about the straight line of force against depth, over the mean force,
@@ -24,7 +24,7 @@ namespace stylet {
 namespace {
 
 constexpr int kInsertions = 200;
-// The tissue that the puncture lets go swings back over the needle; that is not due to the grid.
+// After the puncture the released tissue swings back over the needle; that is not due to the grid.
 constexpr int kRecoilTicks = 300;
 constexpr float kSpeedMPerS = 0.01F;
 constexpr float kEdgeM = 0.005F;
