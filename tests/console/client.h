@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A client of the console that knows no manners: HTTP and WebSocket byte by byte over a plain
-// socket, so that it can also say what no browser would. Every wait has an end.
+// A client of the console without good manners: HTTP and WebSocket byte by byte over a plain
+// socket, so that it can also send what no browser would. Every wait has a time limit.
 #pragma once
 
 #include <arpa/inet.h>
@@ -30,7 +30,7 @@ constexpr Milliseconds kPatience{20000};
 
 class Client {
  public:
-  // room: for what was sent and not read yet; 0: what the system gives.
+  // `room`: bytes of the receive buffer, for what was sent and not read yet; 0: the system's own.
   explicit Client(std::uint16_t port, int room = 0)
       : port_(port), socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
     if (room > 0) setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
@@ -140,7 +140,7 @@ class Client {
     return nullptr;
   }
 
-  // Whether the other side closes, whatever it says before that.
+  // Whether the other side closes the connection, whatever it sends before.
   bool closed(Milliseconds patience = kPatience) {
     const auto end = std::chrono::steady_clock::now() + patience;
     while (std::chrono::steady_clock::now() < end) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the console's process may say to the loop's, also gone mad.
+// What the console's process may tell the loop's process, even after it has gone wrong.
 #include "hal/console/console_process.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Order any_order(std::mt19937& random) {
           static_cast<std::uint32_t>(random())};
 }
 
-// As the session relies on.
+// What the session relies on.
 bool within_bounds(const Order& order) {
   for (const char letter : order.text) {
     const auto each = static_cast<unsigned char>(letter);

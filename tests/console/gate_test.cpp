@@ -44,7 +44,7 @@ TEST(Gate, KnowsItsOwnNameOnly) {
   EXPECT_EQ(ask(kOpen, "/", "lab.example:7760").status, 403U);
 }
 
-TEST(Gate, OtherPagesAreNotThisOne) {
+TEST(Gate, PagesOfOtherSitesAreRefused) {
   const char* host = "127.0.0.1:7760";
   EXPECT_EQ(ask(kLocal, "/ws", host, "http://127.0.0.1:7760").status, 200U);
   for (const char* origin : {"http://evil.example", "http://127.0.0.1:7761", "null",
@@ -53,7 +53,7 @@ TEST(Gate, OtherPagesAreNotThisOne) {
   }
 }
 
-TEST(Gate, TheTokenOpensAllButThePage) {
+TEST(Gate, EverythingButThePageNeedsTheToken) {
   const char* host = "192.168.0.5:7760";
   for (const char* open : {"/", "/app.js", "/app.css"}) {
     EXPECT_EQ(ask(kOpen, open, host).status, 200U) << open;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames: deltas rebuild what a key frame says, and the places in them deform the surface as the
-// kernel does. Of what a page sends, anything but a message is refused.
+// Frames: deltas rebuild what a key frame says, and the positions in them deform the surface as the
+// kernel does. Whatever a page sends that is not a message is refused.
 #include "hal/console/messages.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace stylet::console {
 namespace {
 
-// A rig whose needle has gone in so far.
+// A rig whose needle has gone in for so many ticks.
 struct Deformed : hal::Rig {
   explicit Deformed(std::uint64_t ticks) {
     config.ticks = ticks;
@@ -111,7 +111,7 @@ TEST(Messages, TheSurfaceIsTheKernelsToATenthOfAMillimetre) {
     const stylet::Vec3 rest = shown_vertex(rig.organ, rig.lattice, at_rest, i);
     largest_m = std::max(largest_m, distance(rest, surface_m[i]));
   }
-  EXPECT_GT(largest_m, 1e-3);  // it is deformed, and by much more than is allowed
+  EXPECT_GT(largest_m, 1e-3);  // the surface is deformed by much more than the allowed error
   EXPECT_LT(worst_m, 1e-4);
   EXPECT_LT(worst_m, 1.0 * static_cast<double>(kPositionUnitM));  // half a unit an axis
 }
@@ -128,7 +128,7 @@ TEST(Messages, DeltasRebuildTheKeyFrame) {
     const Decoded decoded = take_over(frame_of(*state, now, &sent), page);
     (decoded.key ? keys : deltas) += 1;
     ASSERT_EQ(page, now) << "frame " << i;
-    // A frame of the same state has nothing to say.
+    // A frame of the same state contains no change.
     EXPECT_EQ(take_over(frame_of(*state, now, &now), page).changed, 0U);
     sent = now;
     rig.go_on(i < 6 ? 1 : 16);

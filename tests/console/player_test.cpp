@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording on the console: at the tick that was sought, the recorded force to the bit, and the
-// tissue as the kernel has it there, whatever was sought before.
+// A recording on the console: after a seek to a tick it shows the recorded force to the bit, and
+// the tissue as the kernel has it there, whatever was sought before.
 #include "hal/console/player.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A recording of the rig, and what each of its ticks was.
+// A recording of the rig, and the truth about each of its ticks.
 struct Recorded : Served {
   Recorded() {
     path = (std::filesystem::temp_directory_path() /
@@ -105,7 +105,7 @@ TEST(Player, PlaysBothWaysAndStopsAtTheEnds) {
   EXPECT_NE(await(*display, recorded.all.size()), nullptr);
 }
 
-TEST(Player, BackwardsSnapshotsAreKeyFramesWhereTheWayIsLong) {
+TEST(Player, BackwardsSnapshotsAreKeyFramesAfterALongWay) {
   Recorded recorded;
   const hal::RecordingReader reader(recorded.path);
   const auto display = std::make_shared<hal::Display>(recorded.instance->kernel);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program with its console, steered as a page steers it: attempts one after the other, paused,
-// reset, and the same bits as without any of that.
+// The program with its console, steered as a page steers it: attempts one after the other, paused
+// and reset, give the same bits as without any of that.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -128,7 +128,7 @@ class Program {
     return 0;
   }
 
-  // Stops it for so long, as a machine does that is too busy.
+  // Stops it for so long, as a busy machine would.
   void stall(useconds_t us) const {
     kill(pid_, SIGSTOP);
     usleep(us);
@@ -216,9 +216,9 @@ TEST(Program, AttemptsGiveTheBitsOfARunWithoutConsole) {
   EXPECT_EQ(final_hash(program.at("out-2.h5")), expected);
 }
 
-// A run that ends only by --duration-s: some seconds by the clock on the wall, fewer than
-// hal::kSidePatienceS, after which a page that is stopped is ended. The thread sanitizer takes
-// longer for each.
+// A run that ends only by --duration-s: some seconds of real time, fewer than hal::kSidePatienceS,
+// after which the process of a page that does not move is ended. With the thread sanitizer each of
+// them takes longer.
 #if defined(__SANITIZE_THREAD__)
 constexpr const char* kLongRunS = "4";
 #else
@@ -260,8 +260,8 @@ TEST(Program, ThePageMayEndInAnyWay) {
     for (int i = 0; i < 3000 && !fs::exists(recording); ++i) usleep(20'000);
     EXPECT_EQ(final_hash(recording), expected) << way;
     const bool lost = way == SIGKILL || way == SIGABRT;
-    // All that it says of a lost console it has said when it ends, not yet when its recording is
-    // there. Of a console that is ended with the run it may say anything.
+    // What the program says of a lost console is complete when it ends, but perhaps not yet when
+    // its recording is there. Of a console that is ended together with the run it may say anything.
     std::string told = program.output();
     const int code = lost ? program.wait() : program.end();
     if (lost) told = program.output();
@@ -309,7 +309,7 @@ std::uint16_t run_with_pointer(Program& program) {
   return program.port();
 }
 
-// A teacher's page marks what the trainee's page does; the recording keeps it.
+// A teacher's page sets marks in what the trainee's page does; the recording keeps them.
 TEST(Program, MarksAreInTheRecordingAndOnItsPage) {
   Program program;
   const std::uint16_t port = run_with_pointer(program);
@@ -372,8 +372,8 @@ Touched touch(Client& client) {
   return out;
 }
 
-// From the pointer's messages through guard and kernel to the force that the page draws, and the
-// counters of the attempt while it runs.
+// The whole way, from the pointer's messages through guard and kernel to the force that the page
+// draws; and the counters of the attempt while it runs.
 TEST(Program, APointerOnAPageFeelsTheTissue) {
   Program program;
   const std::uint16_t port = run_with_pointer(program);
@@ -423,9 +423,9 @@ Told next_fault(Client& client, float place_m, std::uint32_t last) {
   return {};
 }
 
-// An acknowledgement is for one fault, the one that was seen, and holds for a second after that:
-// one that is held up on its way brings no force back after the next fault. A busy machine adds
-// faults of its own.
+// An acknowledgement is for one fault, the one that was seen, and holds for one second: if it is
+// held up on its way, it brings no force back after the next fault. A busy machine adds faults of
+// its own.
 TEST(Program, AnAcknowledgementIsForTheFaultThatWasSeen) {
   Program program;
   const std::uint16_t port = run_with_pointer(program);
@@ -516,7 +516,8 @@ TEST(Program, ARecordingIsPlayedAndAnotherSceneChosen) {
   EXPECT_NE(program.output().find("give it with --organ"), std::string::npos) << program.output();
 }
 
-// --organ is for the scene it was given with: the next one's targets lie in an organ of its own.
+// --organ is for the scene with which it was given: the next scene's targets lie in an organ of its
+// own.
 TEST(Program, AnotherSceneHasAnOrganOfItsOwn) {
   Program program;
   program.write_organ("given.organ", 5);
@@ -537,7 +538,7 @@ TEST(Program, AnotherSceneHasAnOrganOfItsOwn) {
   }
 }
 
-// systemd's end of sd_notify: counts the words that say that the program lives.
+// systemd's end of sd_notify: counts the messages that say that the program is alive.
 class Notified {
  public:
   static constexpr int kWatchdogMs = 400;
@@ -576,7 +577,7 @@ class Notified {
   int socket_ = socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
 };
 
-// Stops these threads, and only these, as a debugger does. False: this machine does not allow it.
+// Stops only these threads, as a debugger does. False: this machine does not allow it.
 bool halt(const std::set<pid_t>& threads) {
   return std::ranges::all_of(threads, [](pid_t thread) {
     if (ptrace(PTRACE_SEIZE, thread, nullptr, nullptr) != 0) return false;
@@ -585,8 +586,8 @@ bool halt(const std::set<pid_t>& threads) {
   });
 }
 
-// An attempt whose loop stands still does not live, although the session's thread and the page do:
-// systemd's watchdog is told nothing, and ends it.
+// If the loop of an attempt stands still, systemd's watchdog is told nothing and ends the program,
+// although the session's thread and the page still run.
 TEST(Program, TellsTheWatchdogOnlyWhileAnAttemptTicks) {
   Program program;
   const Notified systemd(program.at("notify"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rig with a console: its loop in virtual time, its rows told as a recorder tells them.
+// A rig with a console: its loop in virtual time, its rows passed on as a recorder passes them on.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The server against good and bad clients: whatever one of them does, at most its connection ends.
+// The server against good and bad clients: whatever one of them does, it ends at most its own
+// connection.
 #include "hal/console/server.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +125,8 @@ TEST(Server, TheFirstPageIsInControlUntilItLeaves) {
   ASSERT_NE(hello, nullptr);
   EXPECT_TRUE(hello->may_control());
   second.say_message(start);
-  // What the session refuses is told, too; by then it has taken the order before.
+  // The page is also told what the session refuses; by then the session has taken the order before
+  // it.
   second.say_message(page_message(Body::Reset, [](auto& b) { return CreateReset(b); }));
   const Refused* refused = second.next_of<Refused>(Body::Refused);
   ASSERT_NE(refused, nullptr);
@@ -213,7 +215,7 @@ TEST(Server, ForeignFramesCloseTheirConnection) {
   EXPECT_EQ(served.orders_taken(), 0U);
 }
 
-TEST(Server, MutatedMessagesCloseTheirConnectionOrAreRead) {
+TEST(Server, MutatedMessagesAreReadOrCloseTheirConnection) {
   Served served;
   std::mt19937 random(7);
   const auto good = page_message(
@@ -322,8 +324,9 @@ TEST(Server, FramesThatAPageWasTooSlowForAreCounted) {
   EXPECT_EQ(body, "lost_frames " + std::to_string(frame->timing()->lost_frames()) + "\n");
 }
 
-// Closed once for the number of answers that wait for it, once for their size. What it says
-// meanwhile keeps it from being idle, and is not so much that it is closed for that.
+// It is closed once for the number of answers that wait for it, and once for their size. It goes on
+// asking, often enough not to be closed as idle, and not so often that it is closed for too many
+// messages.
 TEST(Server, APageThatAsksButNeverReadsIsClosed) {
   for (const bool large : {false, true}) {
     Served served;
@@ -380,8 +383,8 @@ TEST(Server, AnyPageMayMarkAndALateOneGetsAllMarksAndScores) {
   EXPECT_EQ(served.orders.back().tick, served.config.ticks);
 }
 
-// A client that never reads takes nothing from the others.
-TEST(Server, OneThatNeverReadsLeavesTheOthersAlone) {
+// What the others receive is complete, beside a client that never reads.
+TEST(Server, AClientThatNeverReadsTakesNothingFromTheOthers) {
   Served served;
   Client asleep(served.port), awake(served.port);
   ASSERT_EQ(asleep.join(), 101U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A loop with a console that so many clients look at, and so many connect to and never read:
-// prints the state's hash. watched_loop.py counts what that costs the loop.
+// A loop with a console with READERS clients that read and SLEEPERS clients that connect and never
+// read: prints the state's hash. watched_loop.py counts what that costs the loop.
 //
 // usage: stylet_watched_loop READERS SLEEPERS
 #include <fmt/format.h>

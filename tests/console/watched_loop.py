@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whoever looks, the loop does the same: as many instructions, to one in ten thousand, and the same
-bits, with no client of the console, with twenty, and with twenty and one that never reads. Counted
-by callgrind in the loop's thread, inside run_loop, while all of them are there.
+"""The loop does the same whoever looks: the same number of instructions (to one in ten thousand)
+and the same bits with no client of the console, with twenty, and with twenty and one that never
+reads. Counted by callgrind in the loop's thread, inside run_loop, while all of them are there.
 
 usage: watched_loop.py PROGRAM
 """

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A driver is one file and one line: in a copy of the source a new one is added so, nothing else
-is touched, and the example's loop runs with a device of it.
+"""A driver is one file and one line: this adds one to a copy of the source, touches nothing else,
+and runs the example's loop with a device of the new driver.
 
 usage: add_driver_test.py SOURCE ORGAN
 """

@@ -24,7 +24,7 @@ TEST(Angle, IsThatOfLibmToTheLastPlaces) {
   EXPECT_LT(static_cast<double>(worst), 1e-15);
 }
 
-TEST(Angle, QuartersAreExact) {
+TEST(Angle, QuarterTurnsAreExact) {
   for (int i = -400; i <= 400; ++i) {
     const SineCosine found = sine_cosine(0.25 * i);
     const int quarter = (i % 4 + 4) % 4;

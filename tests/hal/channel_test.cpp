@@ -9,7 +9,7 @@
 namespace stylet::hal {
 namespace {
 
-// Wide enough that a torn copy shows.
+// Wide enough that a torn copy would be noticed.
 struct Wide {
   std::uint64_t words[24];
 };

@@ -29,7 +29,7 @@ TEST(Contained, LetsNothingOut) {
   EXPECT_LE(std::count(told.begin(), told.end(), '\n'), kMostEscapesTold);
 }
 
-// Whoever waits for room in the ring looks at this flag.
+// A writer that waits for room in the ring looks at this flag.
 TEST(Recorder, SaysWhyItsThreadEnded) {
   Ring<TickRecord> records(8);
   Ring<Event> events(8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The virtual coupling: stiffness felt, no lag where there is nothing, and no energy for the hand.
+// The virtual coupling: the stiffness felt, no lag in free space, and no energy for the hand.
 #include "hal/loop/coupling.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ double of(float value) {
   return static_cast<double>(value);
 }
 
-// A spring of `k` that tells `bound` as its bound on stiffness.
+// A spring of stiffness `k` that gives `bound` as its bound on stiffness.
 Output spring(double k, double bound, Vec3 base_m) {
   Output out = {};
   out.force_n.x = static_cast<float>(-k * of(base_m.x));
@@ -54,7 +54,7 @@ TEST(Coupling, FeltStiffnessIsTheSeriesOfBothAndNeverMoreThanItsOwn) {
   }
 }
 
-TEST(Coupling, IsNotThereWithoutStiffnessAroundOrWithoutOne) {
+TEST(Coupling, IsAbsentInFreeSpaceAndWithoutAStiffness) {
   CouplingState state;
   for (const float x : {0.0F, 0.01F, -0.02F}) {
     EXPECT_EQ(coupled_base({700}, state, {x, 0, 0}, {}).x, x);
@@ -62,12 +62,13 @@ TEST(Coupling, IsNotThereWithoutStiffnessAroundOrWithoutOne) {
     EXPECT_EQ(coupled_base({0}, state, {x, 0, 0}, spring(1e4, 1e4, {x, 0, 0})).x, x);
     EXPECT_EQ(coupled_force({0}, state, {x, 0, 0}, {5, 0, 0}).x, 5);
   }
-  // Far below the coupling's stiffness: 1 % of it is felt to within 1 %.
+  // A stiffness far below the coupling's, 1 % of it, is felt to within 1 %.
   EXPECT_NEAR(push({700}, 7, 7).rest_n_per_m, 7, 0.07);
 }
 
-// A device that tells its place in steps goes in at constant speed, and the needle slides with the
-// same `friction` at any speed. What is felt at the end, and how far it swings meanwhile.
+// A device that reports its position in steps goes in at constant speed, and the needle slides with
+// the same `friction` at any speed. Returns the force felt at the end, and how far it swings on the
+// way.
 struct Slid {
   double felt_n, swing_n, behind_m;
 };
@@ -94,23 +95,23 @@ TEST(Coupling, ANeedleThatSlidesHasItsFrictionAndNoDragOfTheCouplings) {
     for (const double bound : {1e3, 15e3, 60e3}) {
       const Slid slid = slide({3500}, m_per_s, 1, bound);
       EXPECT_NEAR(slid.felt_n, 1, 0.02) << m_per_s << " " << bound;
-      EXPECT_LT(slid.swing_n, 0.04) << m_per_s << " " << bound;  // the steps told are 35 mN
+      EXPECT_LT(slid.swing_n, 0.04) << m_per_s << " " << bound;  // the reported steps are 35 mN
     }
   }
 }
 
-TEST(Coupling, DrawsTheBaseAlongWhereTheHandCannotBeShownMore) {
+TEST(Coupling, PullsTheBaseAlongWhereTheHandCannotBeShownMore) {
   const Slid slid = slide({280, 3.3F}, 0.02, 20, 15e3);
   EXPECT_NEAR(slid.felt_n, 3.3, 1e-3);
   EXPECT_LT(slid.swing_n, 0.01);
   EXPECT_NEAR(slid.behind_m, 3.3 / 280, 2e-5);
-  EXPECT_NEAR(slide({280, 3.3F}, 0.02, 2, 15e3).felt_n, 2, 0.02);  // below, nothing changes
+  EXPECT_NEAR(slide({280, 3.3F}, 0.02, 2, 15e3).felt_n, 2, 0.02);  // unchanged below it
   EXPECT_NEAR(slide({280, 0.5F}, 0.02, 2, 15e3).felt_n, 0.5, 1e-3);
 }
 
-// The device moves in and out at constant speed, on a spring in all directions that tells a larger
-// stiffness than it has. Returns the largest difference between what is felt and both springs in
-// series.
+// The device moves in and out at constant speed, against a spring in all directions that reports a
+// larger stiffness than it has. Returns the largest difference between the force felt and that of
+// both springs in series.
 double lag_n(const CouplingConfig& config, double k, double bound) {
   CouplingState state;
   Output out = {};
@@ -126,7 +127,7 @@ double lag_n(const CouplingConfig& config, double k, double bound) {
     const Vec3 felt = coupled_force(config, state, device, out.force_n);
     const double along = (of(felt.x) - 2 * of(felt.y) + 4 * of(felt.z)) / std::sqrt(21);
     const auto own = of(config.stiffness_n_per_m);
-    const bool settled = i % 2000 > 200;  // the velocity is an average
+    const bool settled = i % 2000 > 200;  // the velocity is averaged, so it lags here
     if (settled) worst = std::max(worst, std::fabs(along + own * k / (own + k) * way));
   }
   return worst;
@@ -140,8 +141,8 @@ TEST(Coupling, ASpringDoesNotLagBehindAHandThatMoves) {
   }
 }
 
-// As at a puncture: the deeper, the weaker, by just as much as the coupling is stiff. The base goes
-// on with the hand, neither back nor ahead of it.
+// As at a puncture: the force falls with depth, by as much as the coupling is stiff. The base goes
+// on with the hand; it neither turns back nor runs ahead.
 TEST(Coupling, AForceThatFallsNeitherTurnsTheBaseBackNorThrowsItAhead) {
   CouplingState state;
   Output out = {};
@@ -158,8 +159,8 @@ TEST(Coupling, AForceThatFallsNeitherTurnsTheBaseBackNorThrowsItAhead) {
 }
 
 // V26: a device of 0.1 kg with a damper of 0.5 N s/m, shaken at random by a hand, with ticks of 1
-// ms between which the force is held. The energy that goes into the device and what it touches is
-// exact: it is the device's own damping and the work against the force that is held.
+// ms between which the force is held. The energy that the hand gives is exact: it is the loss in
+// the device's own damping plus the work against the force that is held.
 struct Shaken {
   double least_j, pressed_n;
 };

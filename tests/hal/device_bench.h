@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device under test and the hand on it: what the contract suite needs of every backend. All of it
-// is in the device frame of the hal: x right, y up, z toward the operator, SI.
+// A device under test and the hand on it: what the contract's tests need from every backend. All of
+// it is in the device frame of the hal: x right, y up, z toward the operator, SI.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,22 +30,22 @@ class Bench {
   virtual void press(std::uint32_t mask) = 0;
   virtual Vec3 felt() = 0;
   virtual Vec3 felt_torque() { return {}; }
-  // How often its driver has written to it, as far as it tells.
+  // How often its driver has written to it, if the backend counts that.
   virtual int writes() { return 0; }
   virtual void trouble(test::Trouble trouble) = 0;
   virtual void refuse_watchdog(bool /*refused*/) {}
   virtual void hang(test::Hang /*call*/) {}
-  // Each of these holds for all three axes, or is false.
-  bool places = true;   // measures its position; else it says how fast it is to move
+  // Each of these is true only if it holds for all three axes.
+  bool places = true;   // measures its position; otherwise it gives a speed
   bool presses = true;  // has buttons
-  bool fails = true;    // may stop answering; else it is at rest when it says nothing
+  bool fails = true;    // may stop answering; otherwise silence means rest
   bool feels = true;    // renders force
   bool turns = true;    // measures its rotation
-  bool latches = true;  // what came back by itself has no force until it is opened again
+  bool latches = true;  // after it came back it has no force until it is opened again
 };
 using MakeBench = std::unique_ptr<Bench> (*)();
 
-// A port of this process's own, since tests run side by side.
+// A port that no other process has, since tests run side by side.
 inline std::string test_port() {
   return std::to_string(20000 + getpid() % 12000);
 }
@@ -75,7 +75,7 @@ class Ticker {
       : Ticker(open_device(uri), watchdog_s) {}
   Ticker(const Device& open, float watchdog_s) : device(open) {
     guard.max_force_n = 3;
-    guard.max_speed_m_per_s = 1e4F;  // the test's hand jumps, and takes energy as it likes
+    guard.max_speed_m_per_s = 1e4F;  // the test's hand jumps, and may take any energy
     guard.stored_energy_j = 1e6F;
     guard.ramp_s = 0;
     guard.watchdog_s = watchdog_of(device.info, watchdog_s);
@@ -111,7 +111,7 @@ class Ticker {
     return false;
   }
 
-  // What it says when it has failed for good; waits at most a second.
+  // The device's words after it has failed for good; waits at most a second.
   std::string trouble_under(Vec3 force_n) {
     (void)tick_until(force_n, [this] { return !trouble_of(device).empty(); });
     return trouble_of(device);

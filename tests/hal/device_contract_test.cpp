@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every backend promises, asked of each of them on its stand-in.
+// What every backend promises, tested with each of them on its stand-in.
 #include <dlfcn.h>
 #include <pthread.h>
 
@@ -23,7 +23,7 @@ const Lock g_real_lock = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_
 // In place of the C library's, for the whole program.
 extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) {
   if (g_counts_locks) ++g_locks;
-  // Before this file's variables are made.
+  // It may be called before this file's variables exist.
   if (g_real_lock == nullptr) {
     return reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"))(mutex);
   }
@@ -105,7 +105,7 @@ TEST_P(DeviceContract, TorqueOnTheHandHasOurSignAndAxesAndEndsWithTheLoop) {
   EXPECT_EQ(size(bench->felt_torque()), 0);
 }
 
-TEST_P(DeviceContract, ButtonsArePressedAndLetGo) {
+TEST_P(DeviceContract, ButtonsArePressedAndReleased) {
   if (!bench->presses) GTEST_SKIP() << "a device without buttons";
   Ticker ticker(bench->uri());
   for (const std::uint32_t mask : {1U, 0U, 1U}) {
@@ -135,17 +135,17 @@ TEST_P(DeviceContract, ForceEndsWhenTheLoopStops) {
   if (!bench->feels) GTEST_SKIP() << "a device without force";
   Ticker ticker(bench->uri());
   ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
-  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // no tick: 20 ms and a busy machine
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // without a tick: 20 ms and more
   EXPECT_EQ(size(bench->felt()), 0);
 }
 
-// Sampled by a thread of its own, with the times at which it looked.
+// The force as a thread of its own sees it, with the times at which it looked.
 struct Felt {
-  std::int64_t from_ns, to_ns;  // around the look
+  std::int64_t from_ns, to_ns;  // just before and after the look
   double force_n;
 };
 
-// Whatever the loop does, a hand feels no kick. The force is looked at where it is felt.
+// Whatever the loop does, the hand feels no kick. The force is observed where it is felt.
 TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
   if (!bench->feels || !bench->latches) GTEST_SKIP() << "a peer's own program renders the force";
   Ticker ticker(bench->uri());
@@ -175,17 +175,17 @@ TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
       const double passed_s = static_cast<double>(seen[i].to_ns - seen[i - 1].from_ns) * 1e-9;
       const double change = seen[i].force_n - seen[i - 1].force_n;
       ASSERT_LE(change, slew * (passed_s + 2e-3)) << stall_ms << " ms, look " << i;
-      // After a stall too short for a fault, the look is of a later tick: until then the force had
-      // come back.
+      // After a stall too short for a fault this look may be at a later tick, when the force has
+      // already come back.
       if (!expired || stall_ms < 12) continue;
-      const bool rising = seen[i].from_ns - seen[0].from_ns < 5'000'000;  // the last order's
+      const bool rising = seen[i].from_ns - seen[0].from_ns < 5'000'000;  // that of the last order
       ASSERT_TRUE(rising || change <= 1e-6) << stall_ms << " ms, look " << i;
     }
   }
 }
 
 TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
-  int at_once = 0;  // in the other tries this machine had something else to do
+  int at_once = 0;  // in the other tries this machine was busy
   for (int i = 0; i < 3; ++i) {
     Ticker ticker(bench->uri());
     if (bench->feels) {
@@ -200,7 +200,7 @@ TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
   EXPECT_GT(at_once, 0);
 }
 
-// The best of five tries: in the others this machine had something else to do.
+// The best of five tries: in the others this machine was busy.
 double best_ms_to_zero(Bench& bench, test::Trouble trouble) {
   double best = 1e9;
   for (int i = 0; i < 5 && best > 25; ++i) {
@@ -234,8 +234,8 @@ TEST_P(DeviceContract, BrokenDeviceHasNoForceAfter25Milliseconds) {
   EXPECT_LE(best_ms_to_zero(*bench, test::Trouble::kNoAnswer), 25);
 }
 
-// When it is back from trouble the device must not push, whatever the loop asks, until it is opened
-// anew.
+// After trouble a device that is back shall not push, whatever the loop asks, until it is opened
+// again.
 TEST_P(DeviceContract, TroubleIsLatched) {
   if (!bench->feels || !bench->latches) GTEST_SKIP() << "it is the guard that latches here";
   {
@@ -245,7 +245,7 @@ TEST_P(DeviceContract, TroubleIsLatched) {
     ASSERT_NE(ticker.trouble_under(kForce), "");
     bench->trouble(test::Trouble::kNone);
     const std::int64_t felt_until_ns =
-        monotonic_now_ns() + 25'000'000;  // what was left of it fades
+        monotonic_now_ns() + 25'000'000;  // what was left of the force fades
     double last = size(bench->felt());
     for (int i = 0; i < 100; ++i) {
       ticker.tick({});
@@ -316,7 +316,7 @@ TEST(DeviceContractTraps, LockTrapFires) {
 }
 #endif
 
-// As the loop's thread, where this machine grants it; the benches' threads inherit it.
+// The priority of the loop's thread, if this machine grants it; the benches' threads inherit it.
 class RealTime : public testing::Environment {
  public:
   void SetUp() override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Devices by name, and what the simulated hand does with their dynamics: against closed forms.
+// Models of devices by name, and the simulated hand with their dynamics, against closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ TEST(DeviceModel, TheTwoOfTheReferencePageAreThere) {
   EXPECT_EQ(find_device_model("Touch"), nullptr);
 }
 
-TEST(DeviceModel, EachIsPossible) {
+TEST(DeviceModel, EachIsPhysicallyPossible) {
   std::set<std::string> names;
   for (const DeviceModel& each : device_models()) {
     EXPECT_TRUE(names.insert(each.name).second) << each.name;
@@ -45,7 +45,7 @@ TEST(DeviceModel, EachIsPossible) {
     EXPECT_LE(of(each.motion.delay_s), kMaxDelayTicks * 1e-3) << each.name;
     EXPECT_GT(each.max_stiffness_n_per_m, 0) << each.name;
     EXPECT_GT(each.motion.mass_kg, 0) << each.name;
-    // Abbott and Okamura 2005: friction must take up the energy that a step of the encoder gives.
+    // Abbott and Okamura 2005: friction must dissipate the energy that a step of the encoder makes.
     const bool eaten = each.motion.friction_n == 0 ||
                        of(each.max_stiffness_n_per_m) <
                            2 * of(each.motion.friction_n) / of(each.motion.resolution_m);
@@ -53,8 +53,8 @@ TEST(DeviceModel, EachIsPossible) {
   }
 }
 
-// Names as drivers give them, and names that people would give otherwise; both as in data sheets.
-TEST(DeviceModel, DevicesAreRecognisedByWhatTheyCallThemselves) {
+// Names as drivers give them, and other names that people use; both as in data sheets.
+TEST(DeviceModel, DevicesAreRecognisedByTheNameTheyGive) {
   const auto model = [](const char* called) {
     const DeviceModel* found = recognise_device_model(called);
     return std::string(found != nullptr ? found->name : "none");
@@ -73,7 +73,7 @@ TEST(DeviceModel, DevicesAreRecognisedByWhatTheyCallThemselves) {
   EXPECT_EQ(model("Wooden spoon"), "none");
 }
 
-TEST(DeviceModel, NothingIsMoreCarefulThanWhatIsNotKnown) {
+TEST(DeviceModel, NoModelIsMoreCarefulThanAnUnknownDevice) {
   const DeviceModel& unknown = unknown_device_model();
   for (const DeviceModel& each : device_models()) {
     EXPECT_LE(unknown.max_force_n, each.max_force_n) << each.name;
@@ -136,7 +136,7 @@ TEST(SimulatedDevice, FrictionHoldsBelowItsLimitAndSlowsAboveIt) {
   EXPECT_EQ(pushed.speed(), 0);
 }
 
-TEST(SimulatedDevice, TellsItsPlaceInStepsAndLate) {
+TEST(SimulatedDevice, ReportsItsPositionInStepsAndLate) {
   for (const double delay_ms : {0.0, 0.25, 1.0, 3.0, 16.0}) {
     Pushed exact({});
     Pushed told({.resolution_m = 1e-4F, .delay_s = static_cast<float>(delay_ms * 1e-3)});
@@ -149,15 +149,16 @@ TEST(SimulatedDevice, TellsItsPlaceInStepsAndLate) {
       const double counts = x / 1e-4;
       ASSERT_NEAR(counts, std::round(counts), 1e-3);
     }
-    // The same motion with and without: what the device tells changes nothing.
+    // The motion is the same with and without: what the device reports changes nothing.
     EXPECT_EQ(exact.hand.position_m[0], told.hand.position_m[0]);
   }
 }
 
-TEST(SimulatedDevice, EnergyReceivedIsWorkAgainstForceAndWhatTheArmTakes) {
+TEST(SimulatedDevice, EnergyReceivedIsWorkAgainstForceAndLossOfTheArm) {
   Pushed pushed({.mass_kg = 0.1F, .damping_n_s_per_m = 1, .friction_n = 0.1F});
   for (int i = 0; i < 500; ++i) (void)pushed.tick({i < 250 ? 1.0F : -0.7F, 0.3F, 0});
-  // The hand's spring is so soft that it carries nothing: what it gave is what the device lost.
+  // The hand's spring is so soft that it carries nothing: the energy that it gave is what the
+  // device lost.
   const double* v = pushed.hand.velocity_m_per_s;
   const double kinetic = 0.5 * 0.15 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   EXPECT_NEAR(pushed.hand.received_j, -kinetic, 1e-6 + 1e-5 * kinetic);
@@ -177,7 +178,7 @@ double told(double x) {
   return of(kStepM) * std::floor(x / of(kStepM) + 0.5);
 }
 
-TEST(Steady, IsWithinHalfAStepOfWhatWasToldWhateverThatIs) {
+TEST(Steady, IsWithinHalfAStepOfAnyReportedPosition) {
   std::mt19937 random(5);
   SteadyState state;
   double x = 0;
@@ -198,7 +199,7 @@ TEST(Steady, AMotionHasItsVelocityAndNoSteps) {
       if (i > 1000) roughest = std::max(roughest, std::fabs(y - last - m_per_s * 1e-3));
       last = y;
     }
-    EXPECT_LT(roughest, 0.2 * of(kStepM)) << m_per_s;  // told: 0.8 to 1 of a step
+    EXPECT_LT(roughest, 0.2 * of(kStepM)) << m_per_s;  // as reported it would be 0.8 to 1 of a step
   }
 }
 
@@ -214,7 +215,7 @@ TEST(Steady, ACountThatFlickersIsNoMotion) {
   }
 }
 
-TEST(Steady, WithoutAResolutionItIsWhatWasTold) {
+TEST(Steady, WithoutAResolutionItIsTheReportedPosition) {
   SteadyState state;
   for (const float x : {0.0F, 0.01F, -0.3F}) {
     EXPECT_EQ(steady_position(0, 1e-3F, state, {x, 1, 2}).x, x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `stylet devices`: what is here, why something is not, and the remedy. On trees of /sys, /proc and
-// /dev made for the purpose, with the vendors' libraries in place.
+// `stylet devices`: what is here, why something is not, and the remedy. It runs on made-up trees of
+// /sys, /proc and /dev, with stand-ins of the vendors' libraries.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,7 +28,7 @@ class DeviceSearch : public testing::Test {
     fs::create_directories((root + path).substr(0, (root + path).rfind('/')));
     std::ofstream(root + path) << text << "\n";
   }
-  // On the bus, with its node.
+  // Puts a device on the bus, with its node.
   void plug(const std::string& place, const char* vendor, const char* product) const {
     const std::string folder = "/sys/bus/usb/devices/" + place;
     write(folder + "/idVendor", vendor);
@@ -37,7 +37,7 @@ class DeviceSearch : public testing::Test {
     write(folder + "/devnum", "7");
     write("/dev/bus/usb/001/007", "");
   }
-  // A Touch: a terminal of the device at 1-2.
+  // A Touch: the device at 1-2, with a terminal.
   void plug_touch() const {
     plug("1-2", "2988", "0302");
     fs::create_directories(root + "/sys/bus/usb/devices/1-2/1-2:1.0");
@@ -55,7 +55,7 @@ class DeviceSearch : public testing::Test {
     return {};
   }
 
-  std::unique_ptr<Bench> hd = hd_bench(), dhd = dhd_bench();  // their libraries are there
+  std::unique_ptr<Bench> hd = hd_bench(), dhd = dhd_bench();  // so that their libraries are there
   std::string root = testing::TempDir() + "stylet-devices-" + std::to_string(getpid());
 };
 
@@ -69,7 +69,7 @@ TEST_F(DeviceSearch, NothingOnUsb) {
   EXPECT_TRUE(says(seen("spacemouse:").remedy, "apt install spacenavd"));
 }
 
-TEST_F(DeviceSearch, EachIsFoundByItsNumbers) {
+TEST_F(DeviceSearch, EachIsFoundByItsUsbNumbers) {
   plug("3-1", "0403", "cb48");
   EXPECT_TRUE(seen("dhd:").ready);
   EXPECT_EQ(seen("dhd:").seen, "library, USB 3-1");
@@ -95,7 +95,7 @@ TEST_F(DeviceSearch, ModemManagerTakesATouchForAModemUnlessARuleSaysNo) {
   EXPECT_TRUE(seen("hd:").ready);
 }
 
-// As a user who may not open it: for root every file is open.
+// Not as root, who may open every file.
 TEST_F(DeviceSearch, PermissionIsNamedWithItsNodeAndARemedy) {
   plug_touch();
   GTEST_FLAG_SET(death_test_style, "fast");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The doctor on captured machines: what it says of each, and that every check can say no.
+// The doctor on captured machines: what it says of each; and every check can fail.
 #include "hal/doctor/doctor.h"
 
 #include <gmock/gmock.h>
@@ -28,8 +28,8 @@ using Verdicts = std::map<std::string, Verdict>;
 constexpr Verdict kOk = Verdict::kOk, kInfo = Verdict::kInfo, kWarn = Verdict::kWarn,
                   kFail = Verdict::kFail, kUnknown = Verdict::kUnknown;
 
-// A tree in a folder of its own, from a file of "== path" lines, each with its text below; a path
-// that ends with / is a folder.
+// A tree in a folder of its own, from a file in which each line "== path" is followed by that
+// file's text; a path that ends with / is a folder.
 class Machine {
  public:
   explicit Machine(const std::string& name) {
@@ -153,15 +153,15 @@ TEST(Doctor, AGuestIsNotSuitable) {
   EXPECT_EQ(find(findings, "interrupt routing").value, "here: 36 (of 2)");
 }
 
-// ---- every check can say no ---------------------------------------------------------------------
+// ---- every check can fail -----------------------------------------------------------------------
 
 struct Change {
   std::string check;
   std::string path, text;  // text "-": the file is taken away
   Verdict expected;
-  std::string value;  // part of what the finding shows
+  std::string value;  // part of the value that the finding shows
 };
-// The ready machine except for one file: its check says so, and no other.
+// The ready machine with one file changed: the check of that file fails, and no other.
 void expect_seen_by_its_check_alone(const Change& change) {
   SCOPED_TRACE(change.check + ": " + change.path + ": " + change.text);
   Machine machine("ready.tree");
@@ -259,7 +259,7 @@ const std::vector<Change> kProcessorChanges = {
            "irq/16-xhci_hcd (50)"},
     Change{"device IRQ thread", "/proc/77/stat", "-", kInfo, ""}};
 
-TEST(Doctor, EveryCheckCanSayNo) {
+TEST(Doctor, EveryCheckCanFail) {
   for (const auto* changes : {&kKernelChanges, &kProcessorChanges}) {
     for (const Change& change : *changes) expect_seen_by_its_check_alone(change);
   }
@@ -287,7 +287,7 @@ TEST(Doctor, IsolationByACpusetCountsToo) {
   EXPECT_EQ(machine.verdicts(3)["isolation"], kOk);
 }
 
-TEST(Doctor, BootLineSaysWhoRunsCallbacks) {
+TEST(Doctor, BootLineSaysWhichProcessorsRunCallbacks) {
   Machine machine("ready.tree");
   machine.write("/proc/cmdline", "quiet rcu_nocbs=all");
   EXPECT_EQ(machine.verdicts(3)["RCU callbacks"], kOk);
@@ -330,7 +330,7 @@ TEST(Doctor, ATrialCountsMoreThanALimit) {
   EXPECT_EQ(find(findings, "device watchdog").value, "refused");
   EXPECT_EQ(find(findings, "locked memory").verdict, kFail);
   EXPECT_EQ(find(findings, "clock resolution").verdict, kFail);
-  EXPECT_EQ(find(findings, "idle states").verdict, kOk);  // none that is deep is on
+  EXPECT_EQ(find(findings, "idle states").verdict, kOk);  // no deep one is on
 }
 
 // ---- disturbances -------------------------------------------------------------------------------
@@ -345,7 +345,7 @@ Verdicts compared(const Machine& machine, const Disturbances& before) {
   return all;
 }
 
-TEST(Disturbances, AreWhatGrew) {
+TEST(Disturbances, AreTheCountersThatGrew) {
   Machine machine("ready.tree");
   machine.write("/dev/cpu/3/msr", std::string(0x34, '\0') + std::string("\x05\0\0\0\0\0\0\0", 8));
   const Disturbances before = count_disturbances(machine.patient(3));
@@ -368,7 +368,7 @@ TEST(Disturbances, AreWhatGrew) {
   EXPECT_EQ(compared(machine, before), disturbed);
 }
 
-TEST(Disturbances, ThatCannotBeCountedAreUnknown) {
+TEST(Disturbances, AreUnknownIfTheyCannotBeCounted) {
   Machine machine("");
   const Verdicts unknown = {
       {"interrupts", kUnknown}, {"firmware interrupts", kUnknown}, {"throttled by heat", kUnknown}};
@@ -379,7 +379,7 @@ TEST(Disturbances, ThatCannotBeCountedAreUnknown) {
 
 // ---- verdict ------------------------------------------------------------------------------------
 
-TEST(Fitness, IsTheWorstThatIsCertain) {
+TEST(Fitness, IsTheWorstCertainVerdict) {
   const auto of = [](std::vector<std::pair<Verdict, Verdict>> verdict_and_severity) {
     std::vector<Finding> findings;
     for (const auto& [verdict, severity] : verdict_and_severity) {
@@ -411,7 +411,7 @@ TEST(Notation, ListsAndMasks) {
   EXPECT_EQ(chosen("b"), "b");
 }
 
-TEST(Notation, AFolderIsNoText) {
+TEST(Notation, AFolderHasNoText) {
   const Machine machine("ready.tree");
   EXPECT_EQ(read_text({machine.root()}, "/proc"), std::nullopt);
   EXPECT_EQ(read_text({machine.root()}, "/nothing"), std::nullopt);
@@ -436,7 +436,7 @@ TEST(Measure, CountsEveryCycleAndEveryMissedPeriod) {
   EXPECT_EQ(rests, 20);
   EXPECT_EQ(progress.load(), 20U);
   EXPECT_EQ(measured.cycles, 20U);
-  EXPECT_GE(measured.missed, 40U);  // two of each 2.5 ms at least
+  EXPECT_GE(measured.missed, 40U);  // at least two in each 2.5 ms
   EXPECT_EQ(measured.wake_up.histogram.total, 20U);
   EXPECT_EQ(measured.body.histogram.total, 20U);
   EXPECT_GE(measured.body.min_ns, 2'500'000);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What a hand gets from the example client, whatever Stylet, network and the client's own program
-do: random sessions in virtual time, looked at by rules that know nothing of its code.
+do: random sessions in virtual time, judged by rules that know nothing of its code.
 
 usage: example_client_test.py CLIENT [SESSIONS]
 """
@@ -14,7 +14,7 @@ import unittest
 import zlib
 
 MS = 1_000_000
-FORCE = struct.Struct("<4sHHQQqq3f3f3f9fffI")  # README's table, once more
+FORCE = struct.Struct("<4sHHQQqq3f3f3f9fffI")  # the table of packets.md, written again
 client = None
 sessions = 150
 
@@ -33,7 +33,7 @@ def force_packet(seq, echo_ns, life_ns, force, at, stiffness, arming, most=30.0)
 
 
 class Stalls:
-    """Away for 0.5 to 300 ms, now and then or again and again."""
+    """Stalls of 0.5 to 300 ms, now and then or periodically."""
 
     def __init__(self, draw):
         self.longest = 0 if draw.random() < 0.3 else 0.5 * MS * 600 ** draw.random()
@@ -52,13 +52,13 @@ class Stalls:
 
 
 class Session:
-    """Stylet asks for whatever it likes, over a network that loses, delays and reorders."""
+    """Stylet asks for any force, over a network that loses, delays and reorders packets."""
 
     def __init__(self, seed):
         self.draw = draw = random.Random(seed)
         self.stylet, self.wire, self.own = Stalls(draw), Stalls(draw), Stalls(draw)
         self.motor, self.coming = client.Motor(), []
-        self.now, self.written = draw.randrange(1, 2**40), 0  # never, yet
+        self.now, self.written = draw.randrange(1, 2**40), 0  # 0: never yet
         self.force, self.x, self.seq, self.arming = (0, 0, 0), [0.0, 0.0, 0.0], 0, 2**32 - 3
         self.ended, self.felt, self.seen = None, 0, []
         self.loss, self.jitter = draw.choice((0, 0.1)), draw.choice((0, 3, 12)) * MS
@@ -89,7 +89,7 @@ class Session:
         self.coming.append((due, packet))
 
     def hear(self):
-        """What a force that counts is, by the README alone."""
+        """Which forces are valid, by packets.md alone."""
         due, self.coming = ([p for t, p in self.coming if t <= self.now],
                             [(t, p) for t, p in self.coming if t > self.now])
         for packet in due:
@@ -105,14 +105,14 @@ class Session:
         cut = size == 0 and passed_ms > 10
         change = math.dist(force, self.force)
         assert cut or change <= client.SLEW * passed_ms * 1e-3 * (1 + 1e-9), f"a step of {change} N"
-        # Alive at all: some force that has come, of a sample of the last 20 ms.
+        # Whether any force may be felt: one has come that answers a sample of the last 20 ms.
         alive = {arming for echo, life, arming in self.seen
                  if 0 < life <= 20 * MS and echo <= self.now < echo + life}
         assert size == 0 or alive, "force without one that lives"
         self.felt = max(self.felt, size)
         self.seen = [s for s in self.seen if 0 <= self.now - s[0] < 20 * MS]
         if passed_ms > 10 or not alive:
-            # Over, for the arming that was obeyed and all before.
+            # Forces are over for the arming that was obeyed and all before it.
             self.ended = self.motor.arming if self.motor.model else None
         if self.ended is not None and size > 0:
             newer = {a for a in alive if 0 < (a - self.ended) % 2**32 < 2**31}
@@ -131,7 +131,7 @@ class Session:
 
 
 class ExampleClient(unittest.TestCase):
-    def test_hand_gets_nothing_that_hurts(self):
+    def test_hand_gets_no_force_that_the_rules_forbid(self):
         felt = came_back = 0
         for seed in range(sessions):
             session = Session(seed)
@@ -153,7 +153,7 @@ class ExampleClient(unittest.TestCase):
                 motor.take(client.read_force(
                     force_packet(ms, now, 20 * MS, (0, 0, 2.0), (0, 0, 0), 0, arming)), now)
             forces.append(motor.step(now, (0, 0, 0))[2])
-        self.assertEqual(forces[29:40], [2.0] * 11)  # alive, and young
+        self.assertEqual(forces[29:40], [2.0] * 11)  # alive and young
         for ms in range(41, 50):
             self.assertAlmostEqual(forces[ms - 1], 2.0 * (50 - ms) / 10)
         self.assertEqual(forces[49:79], [0.0] * 30)

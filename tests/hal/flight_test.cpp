@@ -84,10 +84,10 @@ TEST_F(FlightTest, HoldsTheSecondBeforeAndATenthAfter) {
   ASSERT_EQ(ticks.size(), 1100U);
   EXPECT_EQ(ticks.front(), 2001U);
   EXPECT_EQ(ticks.back(), 3100U);
-  EXPECT_EQ(recording.info().lost_records, 2000U);  // so that nobody replays it
+  EXPECT_EQ(recording.info().lost_records, 2000U);  // so that it cannot be replayed
 }
 
-TEST_F(FlightTest, AFaultAtTheStartOrTheEndHasWhatThereIs) {
+TEST_F(FlightTest, AFaultAtTheStartOrTheEndKeepsTheTicksThereAre) {
   FlightRecorder flight(path(), info());
   for (std::uint64_t t = 1; t <= 20; ++t) flight.add(tick_of(t, 1, 0, 5), {});
   EXPECT_TRUE(flight.flights().empty());
@@ -122,7 +122,7 @@ TEST_F(FlightTest, AFaultThatWasSeenIsNotWrittenAgainAtTheEnd) {
   EXPECT_TRUE(nothing.flights().empty()) << "no tick was run";
 }
 
-TEST_F(FlightTest, ALatchedFaultIsWrittenOnceAndANewOneAnew) {
+TEST_F(FlightTest, ALatchedFaultIsWrittenOnceAndANewFaultAgain) {
   FlightRecorder flight(path(), info());
   for (std::uint64_t t = 1; t <= 9000; ++t) {
     flight.add(tick_of(t, 1, 0, t < 4000 ? 2000 : 6000, t < 4000 ? 3000 : 7000), {});
@@ -142,7 +142,8 @@ TEST_F(FlightTest, EarlierFilesStay) {
   EXPECT_EQ(fs::file_size(file(1)), 8U);
 }
 
-// Programs in one folder whose faults come together: each has its evidence, in the file it says.
+// Several programs in one folder have faults at once: each keeps its evidence, in the file that it
+// names.
 TEST_F(FlightTest, FaultsOfSeveralProgramsAtOnceAreAllKept) {
   std::vector<pid_t> programs;
   for (std::uint64_t i = 0; i < 6; ++i) {
@@ -188,7 +189,7 @@ TEST_F(FlightTest, SeveralNeedlesKeepWholeTicksAndTheirEvents) {
   EXPECT_EQ(events.back().tick, 3100U);
 }
 
-TEST_F(FlightTest, WhatCannotBeWrittenIsSaid) {
+TEST_F(FlightTest, AFileThatCannotBeWrittenIsReported) {
   FlightRecorder flight((folder_ / "nowhere" / "fault.h5").string(), info());
   for (std::uint64_t t = 1; t <= 20; ++t) flight.add(tick_of(t, 1, 0, 5), {});
   flight.finish();
@@ -196,7 +197,8 @@ TEST_F(FlightTest, WhatCannotBeWrittenIsSaid) {
   EXPECT_NE(flight.error().find("nowhere"), std::string::npos) << flight.error();
 }
 
-// The machine stalls in the last tick: the loop notices it when there is no tick left to tell it.
+// The machine stalls in the last tick: the loop notices it when no tick is left in which to record
+// it.
 TEST_F(FlightTest, AStallInTheLastTickLeavesItsLastSecond) {
   Rig rig;
   rig.config.ticks = 100;

@@ -37,7 +37,7 @@ void expect_near(Vec3 a, Vec3 b, float bound) {
   EXPECT_NEAR(a.z, b.z, bound);
 }
 
-TEST(Grip, NotEnabledGivesPoseAndForceAsTheyAre) {
+TEST(Grip, NotEnabledLeavesPoseAndForceAsTheyAre) {
   GripState state;
   const Pose pose = grip_pose({}, state, sample_at({1, -2, -0.0F}, {0, 0, 1, 0}, ~0U));
   EXPECT_EQ(pose.position_m.y, -2);
@@ -72,7 +72,7 @@ TEST(Grip, ScalesAndTurnsMotionAndTurnsForceBack) {
   EXPECT_FLOAT_EQ(grip_stiffness(config, state), 1);
 }
 
-TEST(Grip, NeedleIsTakenUpWhereItIsWhenTheDeviceComesBackElsewhere) {
+TEST(Grip, ADeviceThatComesBackElsewhereTakesUpTheNeedleWhereItIs) {
   GripState state;
   (void)grip_pose(plain(), state, sample_at({}));
   (void)grip_pose(plain(), state, sample_at({0, 0, -0.02F}));
@@ -82,7 +82,7 @@ TEST(Grip, NeedleIsTakenUpWhereItIsWhenTheDeviceComesBackElsewhere) {
   EXPECT_NEAR(back.rotation.w, 1, 1e-6F);
 }
 
-// Turned half way round an axis across its own, a needle does not tell how it is rolled.
+// If a needle is turned by half a turn about an axis across it, its roll is undefined.
 TEST(Grip, HandThatIsUpsideDownDoesNotRollThePivotingShaft) {
   GripState state;
   (void)grip_pose(pivoting(), state, sample_at({}));
@@ -91,7 +91,7 @@ TEST(Grip, HandThatIsUpsideDownDoesNotRollThePivotingShaft) {
   expect_near({pose.rotation.x, pose.rotation.y, pose.rotation.z}, {}, 1e-6F);
 }
 
-TEST(Grip, ClutchHoldsTheNeedleAndLetsGoOfTheForce) {
+TEST(Grip, ClutchHoldsTheNeedleAndFadesTheForce) {
   GripConfig config = plain();
   config.clutch_button = 2;
   GripState state;
@@ -214,7 +214,7 @@ TEST(Grip, PowerAtTheDeviceIsPowerAtTheNeedleTimesTheScales) {
   }
 }
 
-// A lateral load at the tip, `inside` beyond the entry: the law of the lever.
+// A lateral load at the tip, at a depth `inside` beyond the entry, follows the law of the lever.
 TEST(Grip, LateralForceFollowsTheLever) {
   const GripConfig config = pivoting();
   GripState state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A guard and its clock, with a device that answers: what tests of the guard share.
+// A guard and its clock, with a device that answers; shared by the tests of the guard.
 #pragma once
 
 #include <cmath>
@@ -25,14 +25,15 @@ inline GuardConfig with_button() {
   return config;
 }
 
-// A guard whose device has told where it is; its clock stands at nothing.
+// A guard whose device has reported its position; its clock is at zero.
 inline GuardState met(const GuardConfig& config) {
   GuardState state = guard_start();
   (void)guard_sample(config, state, true, {0, 0, {{}, {1, 0, 0, 0}}, 0}, 0);
   return state;
 }
 
-// The next tick of a device that answers and stands at the origin: the force let through.
+// The next tick, with a device that answers and stands at the origin. Returns the force let
+// through.
 inline Vec3 next_force(const GuardConfig& config, GuardState& state, Vec3 asked_n) {
   const std::int64_t now_ns =
       state.now_ns + std::llround(static_cast<double>(config.period_s) * 1e9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard at its limits, and its guard of torques: wrong lines in guard.cpp that no other test
-// would notice.
+// The guard exactly at its limits, and its guard of torques: these tests notice wrong lines of
+// guard.cpp that no other test does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Desk plain_desk() {
 
 // ==== Buttons
 
-TEST(GuardButtons, NumberZeroIsOne) {
+TEST(GuardButtons, NumberZeroIsAButton) {
   Desk desk;
   desk.config.dead_man_button = 0;
   const auto tick = [&desk](std::uint32_t buttons) {
@@ -46,8 +46,8 @@ TEST(GuardButtons, NumberZeroIsOne) {
   EXPECT_EQ(desk.state.fault, Fault::kNone);
 }
 
-// Only a release that was seen after the fault was acknowledged counts.
-TEST(GuardButtons, WhatWasSeenBeforeTheRearmSaysNothing) {
+// Only a release that is seen after the acknowledgement of the fault counts.
+TEST(GuardButtons, AReleaseBeforeTheRearmDoesNotCount) {
   Desk desk;
   desk.tick(5, true);
   guard_trip(desk.state, Fault::kKernelFault);
@@ -61,7 +61,7 @@ TEST(GuardButtons, WhatWasSeenBeforeTheRearmSaysNothing) {
 
 // ==== Samples and motion
 
-TEST(GuardMotion, WayAllowedGrowsWithTheTicksMissed) {
+TEST(GuardMotion, AllowedWayGrowsWithTheTicksMissed) {
   for (const float moved_m : {0.0109F, 0.0111F}) {  // 5 mm, and 2 m/s for three ticks
     Desk desk = plain_desk();
     desk.tick(5, false);
@@ -71,7 +71,7 @@ TEST(GuardMotion, WayAllowedGrowsWithTheTicksMissed) {
   }
 }
 
-TEST(GuardMotion, WhatIsAtItsLimitIsAllowed) {
+TEST(GuardMotion, MotionAtItsLimitIsAllowed) {
   Desk jump = plain_desk();
   jump.tick(1, false);
   jump.config.max_speed_m_per_s = 0;
@@ -83,7 +83,7 @@ TEST(GuardMotion, WhatIsAtItsLimitIsAllowed) {
   speed.tick(1, false);
   speed.state.energy.velocity_m_per_s = {2, 0, 0};
   speed.position_m.x = 0x1p-9F;         // 2 m/s for a tick
-  speed.now_ns += 976'563 - 1'000'000;  // the next tick is a period of 2^-10 s on, rounded
+  speed.now_ns += 976'563 - 1'000'000;  // the next tick comes after a period of 2^-10 s, rounded
   EXPECT_TRUE(speed.hear(false));
   EXPECT_EQ(speed.state.energy.velocity_m_per_s.x, 2);
   EXPECT_EQ(speed.state.fault, Fault::kNone);
@@ -91,7 +91,7 @@ TEST(GuardMotion, WhatIsAtItsLimitIsAllowed) {
 
 // ==== Energy
 
-// What the observer has counted after the hand was drawn by `way_m` along x in as many ticks.
+// What the observer has counted after the hand was pulled by `way_m` along x in so many ticks.
 double counted_j(Desk& desk, float way_m, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     desk.position_m.x += way_m / static_cast<float>(ticks);
@@ -100,7 +100,7 @@ double counted_j(Desk& desk, float way_m, int ticks) {
   return desk.state.energy.energy_j;
 }
 
-TEST(GuardEnergy, UntilTheForceIsFullItIsTheOneAskedAsFarAsItMayGo) {
+TEST(GuardEnergy, UntilTheForceIsFullTheForceAskedForCountsUpToItsLimit) {
   for (const float asked_n : {1.0F, 20.0F}) {
     Desk desk = plain_desk();
     desk.config.ramp_s = 10;
@@ -119,15 +119,15 @@ TEST(GuardEnergy, PositionFollowsAtTheDistanceOfTheResolution) {
   EXPECT_NEAR(counted_j(desk, 1e-3F, 10), -0.9e-3, 1e-8);
 }
 
-TEST(GuardEnergy, DampingOfTheDeviceTakesItsShare) {
+TEST(GuardEnergy, DampingOfTheDeviceIsSubtracted) {
   Desk desk = plain_desk();
   desk.config.device.damping_n_s_per_m = 2;
   desk.asked_n = {};
   desk.tick(5, false);
-  EXPECT_NEAR(counted_j(desk, 0.01F, 200), 2 * 0.05 * 0.01, 0.05e-3);  // less while speed builds up
+  EXPECT_NEAR(counted_j(desk, 0.01F, 200), 2 * 0.05 * 0.01, 0.05e-3);  // less at first
 }
 
-TEST(GuardEnergy, ForceOfThenIsBetweenThoseOfTwoTicks) {
+TEST(GuardEnergy, TheDelayedForceLiesBetweenThoseOfTwoTicks) {
   Desk desk = plain_desk();
   desk.config.device.delay_s = 1.5e-3F;
   desk.asked_n = {1, 0, 0};
@@ -135,7 +135,7 @@ TEST(GuardEnergy, ForceOfThenIsBetweenThoseOfTwoTicks) {
   EXPECT_NEAR(counted_j(desk, 1e-3F, 10), -1e-3, 1e-8);
 }
 
-TEST(GuardEnergy, NothingIsDampedWhileNothingWasMade) {
+TEST(GuardEnergy, NothingIsDampedWhileNoEnergyWasMade) {
   Desk desk = plain_desk();
   desk.config.passivity_damping_n_s_per_m = 2;
   desk.asked_n = {};
@@ -162,7 +162,7 @@ TEST(GuardEnergy, LossIsAFaultBeyondItsBarAndIsForgivenByTheRearm) {
   EXPECT_EQ(desk.state.energy.energy_j, 0.01);
 }
 
-TEST(GuardEnergy, StaysANumberAfterAForceThatWasNone) {
+TEST(GuardEnergy, StaysFiniteAfterAForceThatWasNot) {
   Desk desk = plain_desk();
   desk.tick(5, false);
   desk.asked_n = {kNan, 0, 0};
@@ -173,7 +173,7 @@ TEST(GuardEnergy, StaysANumberAfterAForceThatWasNone) {
 
 // ==== Heat
 
-TEST(GuardHeat, ContinuousForceAboveTheLargestIsNoLicence) {
+TEST(GuardHeat, ContinuousForceAboveTheLargestAllowsNoMore) {
   Desk desk = plain_desk();
   desk.config.continuous_force_n = 20;
   desk.asked_n = {0, 30, 0};
@@ -194,7 +194,7 @@ TEST(GuardHeat, ForceLeavesRoomForItsOwnFall) {
 
 // ==== Buzzing
 
-// How often a force turns that is thrown to and fro every so many ticks.
+// How many turns are counted of a force that changes sign every so many ticks.
 bool buzzes(int half_period_ticks) {
   Desk desk = plain_desk();
   for (int i = 0; i < 40 * half_period_ticks && desk.state.fault == Fault::kNone; ++i) {
@@ -204,12 +204,12 @@ bool buzzes(int half_period_ticks) {
   return desk.state.fault == Fault::kBuzz;
 }
 
-TEST(GuardBuzz, TurnsAreNoFurtherApartThanHalfAPeriod) {
+TEST(GuardBuzz, TurnsAreAtMostHalfAPeriodApart) {
   EXPECT_TRUE(buzzes(25));
   EXPECT_FALSE(buzzes(26));
 }
 
-TEST(GuardBuzz, WhatSwungBeforeTheButtonWasPressedIsForgotten) {
+TEST(GuardBuzz, SwingsBeforeTheButtonWasPressedAreForgotten) {
   Desk desk;
   desk.config.ramp_s = 0;
   desk.tick(5, false);
@@ -219,9 +219,9 @@ TEST(GuardBuzz, WhatSwungBeforeTheButtonWasPressedIsForgotten) {
   EXPECT_EQ(desk.state.fault, Fault::kNone);
 }
 
-// Forces thrown to and fro about other forces, in all directions. In the tick in which the fault is
-// latched there is one step, not also that of a fade.
-TEST(GuardBuzz, FaultItselfIsNoFasterThanTheSlewLimit) {
+// Forces that swing about other forces, in all directions. In the tick in which the fault is
+// latched the force makes one step, not a second one for the fade.
+TEST(GuardBuzz, ForceAtTheFaultKeepsTheSlewLimit) {
   std::mt19937_64 engine(33);
   const auto draw = [&engine] { return static_cast<float>(engine() >> 40U) * 0x1p-23F - 1; };
   int faults = 0;
@@ -248,7 +248,7 @@ TEST(GuardBuzz, FaultItselfIsNoFasterThanTheSlewLimit) {
 
 // ==== Motors that have stopped by themselves
 
-TEST(GuardMotor, ThatStoppedTakesForceAwayAndNeverGivesAny) {
+TEST(GuardMotor, AReportOfStoppedMotorsOnlyTakesForceAway) {
   std::mt19937_64 engine(6);
   const auto draw = [&engine] { return static_cast<float>(engine() >> 40U) * 0x1p-24F; };
   for (int i = 0; i < 100; ++i) {
@@ -279,7 +279,7 @@ struct TorqueDesk {
   }
 };
 
-TEST(GuardTorque, OfADeviceWithoutItIsNone) {
+TEST(GuardTorque, OfADeviceWithoutTorqueIsZero) {
   TorqueDesk desk;
   desk.most_nm = 0;
   for (const float asked_nm : {0.1F, kNan}) EXPECT_EQ(size(desk.tick({asked_nm, 0, 0})), 0);
@@ -309,7 +309,8 @@ TEST(GuardTorque, EndsWithTheForceAndComesBackWithIt) {
   EXPECT_FLOAT_EQ(desk.tick({0.05F, 0, 0}).x, 0.05F);
 }
 
-// As for a force: without a sample no time has passed, but what falls goes on by a period.
+// As for a force: without a sample no time has passed, but a falling torque goes on falling by a
+// period.
 TEST(GuardTorque, WithoutASampleStaysOrGoesOnFalling) {
   TorqueDesk desk;
   for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0});
@@ -325,7 +326,7 @@ TEST(GuardTorque, WithoutASampleStaysOrGoesOnFalling) {
   }
 }
 
-TEST(GuardTorque, ThatIsNoNumberEndsBothAtOnce) {
+TEST(GuardTorque, ThatIsNotFiniteEndsBothAtOnce) {
   TorqueDesk desk;
   for (int i = 0; i < 20; ++i) (void)desk.tick({0.05F, 0, 0});
   EXPECT_EQ(size(desk.tick({kNan, 0, 0})), 0);
@@ -333,8 +334,8 @@ TEST(GuardTorque, ThatIsNoNumberEndsBothAtOnce) {
   EXPECT_EQ(size(desk.force.tick(false)), 0);
 }
 
-// A torque may do the same fraction of its limit as a force: with 0.8 of 8 N it buzzes, and with
-// 0.06 of 0.1 N m.
+// A torque may swing by the same fraction of its limit as a force: the bar is 0.8 of 8 N, so 0.06
+// of 0.1 N m is above it.
 TEST(GuardTorque, BuzzesAsAForceDoes) {
   for (const float share : {0.6F, 0.05F}) {
     TorqueDesk desk;
@@ -349,7 +350,7 @@ TEST(GuardTorque, BuzzesAsAForceDoes) {
 
 TEST(GuardTorque, WarmsTheMotorsAsAForceDoes) {
   TorqueDesk desk;
-  desk.force.config.continuous_force_n = 2;  // of 8: a quarter
+  desk.force.config.continuous_force_n = 2;  // a quarter of 8
   desk.force.asked_n = {};
   Vec3 last = {};
   for (int i = 0; i < 400'000; ++i) last = desk.tick({0, 0, 1});
@@ -357,8 +358,8 @@ TEST(GuardTorque, WarmsTheMotorsAsAForceDoes) {
   EXPECT_LE(desk.torque.heat_n2, 0.025 * 0.025 * (1 + 1e-3));
 }
 
-// Turned by 0.2 rad about y with 0.05 N m along it, the hand was given 10 mJ. Turned against it,
-// the hand gave them.
+// When the device turns by 0.2 rad about y with a torque of 0.05 N m along it, the hand is given 10
+// mJ. When it turns against the torque, the hand gives them.
 TEST(GuardTorque, WorkIsThatOfTheTurn) {
   for (const float way : {1.0F, -1.0F}) {
     TorqueDesk desk;

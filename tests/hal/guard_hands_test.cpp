@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the guard believes of a device's motion: real hands on devices that repeat, lose and delay
-// samples are never accused; samples thrown to and fro always are.
+// Which motion of a device the guard accepts: real hands, on devices that repeat, lose and delay
+// samples, never cause a fault; samples that are thrown to and fro always do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct Draw {
   bool chance(double share) { return between(0, 1) < share; }
 };
 
-// A tremor about a stroke to and back: 8 Hz and 20 mm are 1 m/s, and so is the stroke at its
-// fastest, in one way of least jerk (Flash and Hogan 1985).
+// A tremor during a stroke there and back. A tremor of 8 Hz and 20 mm reaches 1 m/s, and so does
+// the stroke, which is a motion of least jerk (Flash and Hogan 1985).
 struct RealHand {
   double tremor_hz, tremor_m[3], phase[3];
   double way_m[3], takes_s, rests_s;
@@ -61,7 +61,7 @@ struct RealHand {
   }
 };
 
-// How a device tells it.
+// How a device reports the motion.
 struct Told {
   double period_ms, jitter_ms, lost, step_m, noise_m, late_tick;
 
@@ -75,7 +75,7 @@ struct Told {
   }
 };
 
-TEST(GuardHands, RealOnesAreNeverAccused) {
+TEST(GuardHands, RealHandsNeverCauseAFault) {
   Draw draw{std::mt19937_64(21)};
   double fastest = 0;
   std::uint64_t used = 0;
@@ -83,7 +83,7 @@ TEST(GuardHands, RealOnesAreNeverAccused) {
     const RealHand hand(draw);
     const Told told(draw);
     GuardConfig config;
-    config.watchdog_s = 0.015F;  // of lost samples another test tells
+    config.watchdog_s = 0.015F;  // another test is about lost samples
     GuardState state = guard_start();
     Sample sample = {0, 0, {{}, {1, 0, 0, 0}}, 0};
     std::uint64_t seq = 0;
@@ -116,8 +116,8 @@ TEST(GuardHands, RealOnesAreNeverAccused) {
   EXPECT_NEAR(fastest, 1, 0.1) << "of 2 m/s, as GUARD.md says";
 }
 
-// Steps within the jump limit, turned round before they have gone far: no hand is that fast, though
-// its velocity, averaged, is small.
+// Steps within the jump limit that turn back before they have gone far: no hand is that fast,
+// although the averaged velocity is small.
 TEST(GuardHands, SamplesToAndFroWithinTheJumpLimitAreAFault) {
   Draw draw{std::mt19937_64(22)};
   int slowest = 0;
@@ -145,8 +145,8 @@ TEST(GuardHands, SamplesToAndFroWithinTheJumpLimitAreAFault) {
       (void)guard_sample(config, state, true, sample, now_ns);
       (void)guard_force(config, state, {1, 0, 0});
     }
-    // The way's length is averaged over 20 ms: 2 m/s of v are reached after -20 ln(1 - 2 / v) ms.
-    // Where samples are repeated the same steps are made in more time.
+    // The path's length is averaged over 20 ms: at a speed v the average reaches 2 m/s after -20
+    // ln(1 - 2 / v) ms. If samples are repeated, the same steps take more time.
     const double real = speed * (1 - repeats);
     if (real < 2.4) continue;
     ASSERT_EQ(state.fault, Fault::kTooFast) << session << ", " << speed << " m/s";
@@ -157,7 +157,7 @@ TEST(GuardHands, SamplesToAndFroWithinTheJumpLimitAreAFault) {
   EXPECT_GT(slowest, 25) << "none was near the limit";
 }
 
-// A single wrong sample within the limit is none of these faults.
+// A single wrong sample within the limit causes none of these faults.
 TEST(GuardHands, OneSampleAstrayIsForgiven) {
   Draw draw{std::mt19937_64(23)};
   for (int session = 0; session < 500; ++session) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard's states: every cell of the table in hal/guard/GUARD.md, and what each of the further
-// limits does.
+// The guard's states: every cell of the table in hal/guard/GUARD.md, and the limits beside it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,7 +22,7 @@ bool is_pressed_in(GuardMode mode) {
   return mode != GuardMode::kUnarmed && mode != GuardMode::kRelease;
 }
 
-// A guard that came to this state by itself, two ticks from leaving it.
+// A guard that reached this state by itself, two ticks before it would leave it.
 Desk desk_in(GuardMode mode) {
   Desk desk;
   if (mode == GuardMode::kLetGo) desk.tick(5, true);
@@ -107,7 +106,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-// The rows of the one table whose first column is called "state"; its head first.
+// The rows of the only table whose first column is called "state", its head first.
 std::vector<std::vector<std::string>> table_of_states() {
   std::ifstream page(STYLET_GUARD_PAGE);
   std::vector<std::vector<std::string>> rows;
@@ -151,7 +150,7 @@ TEST(GuardStates, EachHasItsNameAndUnknownOnesHaveNone) {
   EXPECT_EQ(names.size(), 10U);
 }
 
-TEST(GuardStates, WithAButtonNothingIsKnownBeforeTheFirstSample) {
+TEST(GuardStates, WithAButtonNothingArmsBeforeTheFirstSample) {
   Desk desk;
   EXPECT_EQ(size(guard_force(desk.config, desk.state, desk.asked_n)), 0);
   EXPECT_EQ(desk.state.mode, GuardMode::kLetGo);
@@ -165,7 +164,7 @@ TEST(GuardStates, WithoutAButtonTheFirstTickArms) {
   EXPECT_EQ(desk.state.button_seen, 0U);
 }
 
-TEST(DeadMansButton, ReleasedIsZeroInTwentyMillisecondsAndPressedAnewFadesIn) {
+TEST(DeadMansButton, ReleasedIsZeroInTwentyMillisecondsAndPressedAgainFadesIn) {
   Desk desk = desk_in(GuardMode::kLive);
   EXPECT_GT(size(desk.state.force_n), 2.9);
   double last = size(desk.state.force_n);
@@ -189,14 +188,14 @@ TEST(DeadMansButton, TapedDownArmsNothing) {
   EXPECT_EQ(faulty.state.mode, GuardMode::kLetGo);
 }
 
-TEST(DeadMansButton, OfADeviceThatIsLostIsNoButtonHeld) {
+TEST(DeadMansButton, OfALostDeviceDoesNotCountAsHeld) {
   Desk desk = desk_in(GuardMode::kLive);
   desk.miss(23);
   EXPECT_EQ(desk.state.mode, GuardMode::kFault);
   EXPECT_EQ(size(desk.state.force_n), 0);
 }
 
-// Faults by the loop's or the device's timing before anybody felt anything, in any order, however
+// Faults of the loop's or the device's timing before anybody felt a force, in any order, however
 // often.
 TEST(BeforeAnyForce, FaultsOfTimeClearWithTheNextUsableSampleAndNoOthers) {
   std::mt19937 random(20);
@@ -233,7 +232,7 @@ TEST(BeforeAnyForce, FaultsOfTimeClearWithTheNextUsableSampleAndNoOthers) {
     desk.tick(50, false);
     ASSERT_NE(desk.state.fault, Fault::kNone) << round;
     desk = before;
-    desk.asked_n = {0, 1e-3F, 0};  // the least force is one
+    desk.asked_n = {0, 1e-3F, 0};  // even the smallest force counts
     desk.tick(1, false);
     desk.asked_n = {};
     do upset();
@@ -243,7 +242,7 @@ TEST(BeforeAnyForce, FaultsOfTimeClearWithTheNextUsableSampleAndNoOthers) {
   }
 }
 
-// A force of motors that we cannot know, and a torque, count as felt, too.
+// A force that only the motors report, and a torque, count as felt, too.
 TEST(BeforeAnyForce, AMotorsForceAndATorqueCountAsOne) {
   Desk desk;
   desk.config.dead_man_button = -1;
@@ -263,8 +262,8 @@ TEST(BeforeAnyForce, AMotorsForceAndATorqueCountAsOne) {
   EXPECT_EQ(turned.state.fault, Fault::kTooLate);
 }
 
-// A button that was held when the fault came, and since, was pressed for something else.
-TEST(AcknowledgeButton, CountsOnlyWhenPressedAnewAtZeroForce) {
+// A button that has been held since before the fault was pressed for something else.
+TEST(AcknowledgeButton, CountsOnlyWhenPressedAgainAtZeroForce) {
   Desk desk = desk_in(GuardMode::kLive);
   desk.acknowledges = true;
   desk.tick(5, true);
@@ -282,9 +281,9 @@ TEST(AcknowledgeButton, CountsOnlyWhenPressedAnewAtZeroForce) {
   desk.tick(1, true);
   EXPECT_EQ(desk.state.fault, Fault::kNone);
   EXPECT_EQ(desk.state.mode, GuardMode::kLetGo);
-  desk.tick(100, true);  // and the dead man's button is to be let go before it is pressed
+  desk.tick(100, true);  // the dead man's button must be released before it is pressed
   EXPECT_EQ(size(desk.state.force_n), 0);
-  // That it was seen released before another fault does not count after that fault.
+  // A release that was seen before another fault does not count after that fault.
   guard_trip(desk.state, Fault::kTooLate);
   desk.tick(100, true);
   EXPECT_EQ(desk.state.fault, Fault::kTooLate);
@@ -316,8 +315,8 @@ TEST(ThermalBudget, PeakForceIsForSecondsAndTheMeanSquareIsKept) {
   EXPECT_NEAR(size(desk.state.force_n), 3.3, 1e-4);
 }
 
-// Whatever is asked and whenever it ends, however short the time and however small the continuous
-// force.
+// For any force asked, ending at any time, however short the averaging time and however small the
+// continuous force.
 TEST(ThermalBudget, IsKeptAtItsEdges) {
   for (const float thermal_s : {1.0F, 5.0F, 60.0F}) {
     for (const float always : {0.05F, 0.3F, 2.0F}) {
@@ -366,20 +365,20 @@ TEST(VelocityFuse, OneGlitchIsLeftOutAndAFastHandLatches) {
   EXPECT_LT(ticks_to_fault(30), 5);
 }
 
-TEST(VelocityFuse, AJumpThatStaysLatchesByItsNameAndIsForgivenAtZeroForce) {
+TEST(VelocityFuse, AJumpThatStaysIsAFaultOfItsOwnNameAndMayBeAcknowledgedAtZeroForce) {
   Desk desk = desk_in(GuardMode::kLive);
   desk.position_m.x = 0.3F;
   desk.tick(25, true);
   EXPECT_EQ(desk.state.fault, Fault::kTooFast);
   EXPECT_EQ(desk.state.blind_ns, 0U);
-  EXPECT_EQ(desk.state.energy.least_j, 0);  // it was no motion against a force
+  EXPECT_EQ(desk.state.energy.least_j, 0);  // the jump was no motion against a force
   EXPECT_TRUE(guard_rearm(desk.state, Fault::kTooFast));
   desk.tick(5, false);
   desk.tick(5, true);
   EXPECT_EQ(desk.state.mode, GuardMode::kRamp);
 }
 
-// Force that swings as a sine; the tick of the fault, or 2000.
+// A force that swings as a sine. Returns the tick of the fault, or 2000.
 int ticks_of_swing(double hz, double amplitude_n) {
   Desk desk = desk_in(GuardMode::kLive);
   desk.asked_n = {};
@@ -408,7 +407,7 @@ TEST(BuzzDetector, SeesBuzzingAndNotHandsOrSteps) {
   EXPECT_EQ(desk.state.fault, Fault::kNone);
 }
 
-// A hand that is moved to and fro against a force that is stronger on the way back.
+// A hand that moves to and fro against a force that is stronger on the way back.
 double least_energy(const GuardConfig& config, int cycles, GuardState& state_out) {
   Desk desk;
   desk.config = config;
@@ -430,7 +429,7 @@ TEST(EnergyObserver, CountsWhatTheForcesSentGive) {
   GuardState state = {};
   // 10 mm each way: 2 mJ a cycle.
   EXPECT_NEAR(least_energy(config, 10, state), -0.02, 0.0015);
-  EXPECT_EQ(state.fault, Fault::kNone);  // it only observes
+  EXPECT_EQ(state.fault, Fault::kNone);  // the guard only observes
   EXPECT_EQ(state.counters.force_damped, 0U);
   EXPECT_LT(least_energy(config, 30, state), -kLostEnergyJ);
   EXPECT_EQ(state.fault, Fault::kNone);
@@ -454,8 +453,8 @@ TEST(EnergyObserver, ControllerTakesBackWhatDampingCan) {
   EXPECT_GT(state.counters.force_damped, 0U);
 }
 
-// A spring of 1000 N/m makes energy because its force is held for a tick. What the observer sees of
-// it in a position that is told 2.5 ticks late, as a fraction of the real amount.
+// A spring of 1000 N/m makes energy because its force is held for a tick. Returns what the observer
+// sees of this energy if the position is reported 2.5 ticks late, as a fraction of the real amount.
 double held_spring(float known_delay_s) {
   constexpr double kStiffness = 1000;
   Desk desk;
@@ -479,7 +478,7 @@ double held_spring(float known_delay_s) {
 
 TEST(EnergyObserver, KnowsTheDelayOfTheDevice) {
   EXPECT_NEAR(held_spring(2.5e-3F), 1, 0.05);
-  // Without knowing the delay, it sees the force lead the motion, which looks like damping.
+  // If it does not know the delay, the force seems to lead the motion, which looks like damping.
   EXPECT_EQ(held_spring(0), 0);
 }
 
@@ -493,7 +492,7 @@ TEST(EnergyObserver, ControllerLeavesAHandAtRestAlone) {
   EXPECT_EQ(desk.state.counters.force_damped, 0U);
 }
 
-TEST(EnergyObserver, KnowsNoMotionBelowTheResolution) {
+TEST(EnergyObserver, IgnoresMotionBelowTheResolution) {
   Desk flicker;
   flicker.config.dead_man_button = -1;
   flicker.config.device = {.resolution_m = 1e-4F};
@@ -506,8 +505,8 @@ TEST(EnergyObserver, KnowsNoMotionBelowTheResolution) {
 }
 
 TEST(EnergyObserver, ASpringSwitchedOnGivesBackWhatItHolds) {
-  // Pressed in by 3 mm without force, then armed and let back during the ramp: 4.5 mJ come back,
-  // and 1/2 K (v T)^2 more in each tick, because the force is held.
+  // The spring is pressed in by 3 mm without force, then armed and released during the ramp: 4.5 mJ
+  // come back, and 1/2 K (v T)^2 more in each tick, because the force is held.
   Desk desk;
   desk.config.passivity_damping_n_s_per_m = 0;
   const auto at = [&desk](double x_m, bool pressed) {
@@ -521,7 +520,7 @@ TEST(EnergyObserver, ASpringSwitchedOnGivesBackWhatItHolds) {
   EXPECT_GT(desk.state.energy.least_j, -600 * 500 * 1e-10 - 1e-6);
 }
 
-TEST(EnergyObserver, AssumesTheMostOfASpringThatWasOutOfSightAndNothingAtTheStart) {
+TEST(EnergyObserver, AssumesTheMostStoredAfterTicksWithoutSamplesAndNoneAtTheStart) {
   Desk desk;
   desk.config.stored_energy_j = 0.25F;
   desk.miss(10);

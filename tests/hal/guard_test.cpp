@@ -120,7 +120,7 @@ TEST(GuardForce, FadeEndsInTimeForEveryPeriod) {
   }
 }
 
-// R5 for whatever is asked: ten times too much was let in in a tenth of the time.
+// R5, whatever is asked. (A force ten times too large was once let in in a tenth of the time.)
 TEST(GuardForce, TheRampIsThatOfTheLargestForceForAnyForceAsked) {
   GuardConfig config = plain();
   config.ramp_s = 0.1F;
@@ -133,7 +133,7 @@ TEST(GuardForce, TheRampIsThatOfTheLargestForceForAnyForceAsked) {
   }
 }
 
-// R15: the needle may wait far from the hand. The fade-in begins where the device has answered.
+// R15: the needle may wait far from the hand. The fade-in begins when the device has answered.
 TEST(GuardForce, NothingIsFeltBeforeADeviceHasToldWhereItIs) {
   GuardConfig config = plain();
   config.ramp_s = 0.1F;
@@ -214,7 +214,7 @@ TEST(GuardSample, WatchdogNamesWhatIsWrong) {
   }
 }
 
-TEST(GuardSample, OneGoodSampleQuietsTheWatchdog) {
+TEST(GuardSample, OneGoodSampleSatisfiesTheWatchdog) {
   GuardState state = guard_start();
   for (std::int64_t i = 1; i < 100; ++i) {
     const Sample now = sample(static_cast<std::uint64_t>(i), i * kMs);
@@ -223,7 +223,7 @@ TEST(GuardSample, OneGoodSampleQuietsTheWatchdog) {
   EXPECT_EQ(state.fault, Fault::kNone);
 }
 
-// Nobody knows where a hand is whose samples jump, though every second one is usable.
+// If samples jump, nobody knows where the hand is, even if every second one is usable.
 TEST(GuardSample, JumpsToAndFroAreSoonAFault) {
   std::mt19937 engine(11);
   for (int round = 0; round < 200; ++round) {
@@ -237,10 +237,12 @@ TEST(GuardSample, JumpsToAndFroAreSoonAFault) {
       s.pose.position_m.y = away ? way_m : 0;
       (void)guard_sample(plain(), state, true, s, (tick + 1) * kMs);
     }
-    // A jump counts as the time of ten usable samples: with as many of these nothing adds up.
+    // A jump is made up for by the time of ten usable samples: with so many between jumps nothing
+    // adds up.
     EXPECT_EQ(state.fault, run < 10 ? Fault::kTooFast : Fault::kNone) << run;
     if (run < 10) {
-      // After k rounds k - 1 of these and the jump of the last one are more than 20 ms.
+      // After k rounds, the sum of k - 1 of these and the jump of the last round is more than 20
+      // ms.
       EXPECT_NEAR(tick, (19 / (1 - 0.1 * run) + 1.5) * (run + 1), run + 1) << run;
     }
   }
@@ -283,7 +285,7 @@ TEST(GuardSample, BlindTicksDoNotStartAgainAfterMonths) {
   EXPECT_EQ(state.blind_ns, 1'000'000'000'000);
 }
 
-TEST(GuardForce, WhatIsAtItsLimitIsNotCounted) {
+TEST(GuardForce, AForceAtItsLimitIsNotCountedAsLimited) {
   const GuardState at_most = pushed_to(plain(), {0, 0, 8});
   EXPECT_EQ(at_most.force_n.z, 8.0F);
   EXPECT_EQ(at_most.counters.force_limited, 0U);
@@ -295,7 +297,7 @@ TEST(GuardForce, WhatIsAtItsLimitIsNotCounted) {
   EXPECT_EQ(state.counters.slew_limited, 0U);
 }
 
-TEST(GuardRearm, TheWatchdogStartsAfresh) {
+TEST(GuardRearm, TheWatchdogStartsAgain) {
   GuardState state = met(plain());
   guard_trip(state, Fault::kDeviceSilent);
   ASSERT_TRUE(guard_rearm(state, Fault::kDeviceSilent));
@@ -308,7 +310,7 @@ TEST(GuardRearm, TheWatchdogStartsAfresh) {
 
 TEST(GuardRearm, NotWhileTheDeviceIsSilent) {
   GuardState state = met(plain());
-  (void)next_force(plain(), state, {1, 0, 0});  // with one that was felt
+  (void)next_force(plain(), state, {1, 0, 0});  // after a force that was felt
   std::int64_t now_ns = state.now_ns;
   const auto hear = [&](bool answered) {
     now_ns += kMs;
@@ -321,13 +323,13 @@ TEST(GuardRearm, NotWhileTheDeviceIsSilent) {
   ASSERT_EQ(state.fault, Fault::kDeviceSilent);
   EXPECT_FALSE(guard_rearm(state, Fault::kDeviceSilent));
   EXPECT_TRUE(hear(true));
-  EXPECT_FALSE(hear(false));  // it spoke once
+  EXPECT_FALSE(hear(false));  // it answered once
   EXPECT_FALSE(guard_rearm(state, Fault::kDeviceSilent));
   EXPECT_TRUE(hear(true));
   EXPECT_TRUE(guard_rearm(state, Fault::kDeviceSilent));
 }
 
-// Any bits as forces and samples: what comes out keeps every promise.
+// Forces and samples are any bits: what comes out keeps every promise.
 TEST(Guard, HoldsItsPromisesForAnyBits) {
   std::mt19937 engine(7);
   const auto random = [&engine] { return static_cast<std::uint32_t>(engine()); };
@@ -368,7 +370,7 @@ TEST(Guard, HoldsItsPromisesForAnyBits) {
     now_ns += kMs;
     (void)guard_sample(config, state, true, sample(state.seq + 1, now_ns), now_ns);
     (void)guard_rearm(state, state.fault);
-    if (state.seq > 1U << 31) state.have_seq = 0;  // else nothing is new any more
+    if (state.seq > 1U << 31) state.have_seq = 0;  // otherwise no number would be new any more
   }
   EXPECT_GT(state.counters.faults, 100U);
   EXPECT_GT(state.counters.force_limited, 100U);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard and clocks that are not as configured: callers who are too fast or too late, clocks
-// that stand or run backwards. Judged by the requirements of GUARD.md in the time that passed.
+// The guard with clocks that are not as configured: callers that are too fast or too late, clocks
+// that stand still or run backwards. Judged by the requirements of GUARD.md in the time that really
+// passed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ struct Draw {
   }
 };
 
-// A guard without a button, at a time of its own, whose device answers each time.
+// A guard without a button, with a clock of its own, whose device always answers.
 struct Hand {
   GuardConfig config;
   GuardState state = guard_start();
@@ -63,8 +64,8 @@ double slew_of(const Hand& hand) {
   return static_cast<double>(hand.config.max_slew_n_per_s) * (1 + kRounding);
 }
 
-// R3, R5 and R6 in real time, for a caller who is up to a hundred times too fast.
-TEST(GuardTime, ACallerWhoIsTooFastGainsNothing) {
+// R3, R5 and R6 in real time, for a caller that ticks up to a hundred times too fast.
+TEST(GuardTime, ACallerThatIsTooFastGainsNothing) {
   Draw draw{std::mt19937_64(1)};
   for (int session = 0; session < 200; ++session) {
     Hand hand = drawn_hand(draw);
@@ -83,7 +84,7 @@ TEST(GuardTime, ACallerWhoIsTooFastGainsNothing) {
     };
     while (hand.now_ns - begin_ns < 400 * kMs) {
       tick();
-      // The first tick counts as a period, and the last one is let in a period early.
+      // The first tick counts as a period, and the ramp may end a period early.
       const double passed_s = 1e-9 * static_cast<double>(hand.now_ns - begin_ns) + 2e-3;
       ASSERT_LE(last_n, most_n * passed_s / ramp_s * (1 + kRounding)) << session;
     }
@@ -98,8 +99,9 @@ TEST(GuardTime, ACallerWhoIsTooFastGainsNothing) {
   }
 }
 
-// Nothing is new while no time passes: within the watchdog's periods it is a fault, and falls.
-TEST(GuardTime, AClockThatStandsMakesNothingGrowAndIsSoonAFault) {
+// While no time passes nothing is new: after the watchdog's number of periods there is a fault, and
+// the force falls.
+TEST(GuardTime, WhileTheClockStandsNoForceGrowsAndSoonThereIsAFault) {
   Draw draw{std::mt19937_64(2)};
   for (int session = 0; session < 200; ++session) {
     Hand hand = drawn_hand(draw);
@@ -121,8 +123,8 @@ TEST(GuardTime, AClockThatStandsMakesNothingGrowAndIsSoonAFault) {
   }
 }
 
-// A second tick at the same time, as with a clock of milliseconds, does not count.
-TEST(GuardTime, AClockOfCoarseStepsIsOne) {
+// A second tick at the same time, as on a clock of milliseconds, does not count.
+TEST(GuardTime, AClockOfCoarseStepsCausesNoFault) {
   Draw draw{std::mt19937_64(3)};
   for (int session = 0; session < 50; ++session) {
     Hand hand = drawn_hand(draw);
@@ -153,7 +155,7 @@ TEST(GuardTime, AClockThatRunsBackwardsIsAFaultAtOnce) {
   }
 }
 
-TEST(GuardTime, OfTheEndsOfTheClockNothingOverflows) {
+TEST(GuardTime, NothingOverflowsAtTheEndsOfTheClock) {
   constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
   Hand hand;
   hand.now_ns = -kLast - 1;
@@ -166,7 +168,8 @@ TEST(GuardTime, OfTheEndsOfTheClockNothingOverflows) {
   EXPECT_EQ(hand.state.fault, Fault::kTooLate);
 }
 
-// Fault 4 for whoever calls: lost at once, or bit by bit, less half of what comes in time.
+// Fault 4 for every caller: time lost at once or bit by bit, less half of the time that comes in
+// time.
 TEST(GuardTime, TwentyMillisecondsLostAreAFault) {
   struct Lost {
     int every, by_ms;
@@ -183,7 +186,7 @@ TEST(GuardTime, TwentyMillisecondsLostAreAFault) {
   }
 }
 
-// A fade takes as long for whoever asks the device four times for each force.
+// A fade takes no longer or shorter if the caller reads the device four times for each force.
 TEST(GuardTime, SamplesBetweenTwoForcesTakeTheirTime) {
   Hand hand;
   hand.config.ramp_s = 0;
@@ -198,7 +201,7 @@ TEST(GuardTime, SamplesBetweenTwoForcesTakeTheirTime) {
   }
 }
 
-TEST(GuardTime, WhatWasSkippedIsNotLost) {
+TEST(GuardTime, SkippedTimeIsNotLost) {
   Hand hand;
   for (int i = 0; i < 600; ++i) (void)hand.tick(kMs);
   const double before_n = size(hand.state.force_n);
@@ -207,7 +210,8 @@ TEST(GuardTime, WhatWasSkippedIsNotLost) {
   EXPECT_EQ(hand.state.fault, Fault::kNone);
 }
 
-// No time passes while it does, so that what falls is no faster than in a period.
+// No time passes while the clock runs backwards, so the force falls no faster than by one period a
+// tick.
 TEST(GuardTime, AClockThatRunsBackwardsTakesNoForceAtOnce) {
   Hand hand;
   for (int i = 0; i < 600; ++i) (void)hand.tick(kMs);
@@ -222,8 +226,9 @@ TEST(GuardTime, AClockThatRunsBackwardsTakesNoForceAtOnce) {
   EXPECT_EQ(hand.state.fault, Fault::kTooLate);
 }
 
-// Its time is known, also where it is the first: what is lost behind it counts.
-TEST(GuardTime, WhatIsLostBehindASkipIsLost) {
+// The time of a skip is known, even if it comes before the first tick: time that is lost after it
+// counts.
+TEST(GuardTime, TimeLostAfterASkipCounts) {
   for (const bool skips : {false, true}) {
     for (const int passed_ms : {20, 21}) {
       Hand hand;
@@ -237,7 +242,7 @@ TEST(GuardTime, WhatIsLostBehindASkipIsLost) {
   }
 }
 
-// R3 and R6 for fades with late ticks; the last step was 0.36 N of 8 too large.
+// R3 and R6 for fades with late ticks. (The last step was once 0.36 N of 8 too large.)
 TEST(GuardTime, AFadeWithLateTicksKeepsTheSlewLimit) {
   Draw draw{std::mt19937_64(5)};
   int late_ends = 0;
@@ -258,7 +263,8 @@ TEST(GuardTime, AFadeWithLateTicksKeepsTheSlewLimit) {
       ASSERT_LE(last_n - now_n, slew_of(hand) * 1e-9 * static_cast<double>(passed_ns) + 1e-7)
           << session << ", " << 1e-6 * static_cast<double>(hand.now_ns - tripped_ns) << " ms";
       const std::int64_t since_ns = hand.now_ns - tripped_ns;
-      // No further tick in time would come within 20 ms; or the least slew needs one more.
+      // No further tick would come in time within the 20 ms; or the smallest slew limit needs one
+      // more.
       const bool must_be_gone = since_ns >= 20 * kMs || (!slow && since_ns > 19 * kMs);
       ASSERT_TRUE(now_n == 0 || !must_be_gone) << session << ", " << since_ns;
       late_ends += now_n > 0 && since_ns > 19 * kMs ? 1 : 0;

@@ -21,7 +21,7 @@ using boost::asio::ip::tcp;
 using nlohmann::json;
 namespace websocket = boost::beast::websocket;
 
-// A program says which drivers it has before its first device.
+// A program registers its drivers before it opens its first device.
 [[maybe_unused]] const bool g_haply_is_known = [] {
   use_drivers(drivers_with_haply());
   return true;
@@ -32,8 +32,8 @@ bool readable(int socket, int wait_ms) {
   return ::poll(&wanted, 1, wait_ms) > 0;
 }
 
-// All bytes that have come so far, whoever has looked at them. The C library's tcp_info ends before
-// this field of the kernel's (linux/tcp.h, Linux 4.1), and its header excludes the kernel's.
+// All bytes that have come so far, read or not. The C library's tcp_info ends before this field of
+// Linux (linux/tcp.h, since 4.1), and both headers cannot be included together.
 std::uint64_t bytes_received(int socket) {
   struct {
     tcp_info first;
@@ -44,7 +44,7 @@ std::uint64_t bytes_received(int socket) {
   return info.bytes_received;
 }
 
-// Bytes of a client's frame in one piece: two, four for its mask, and two for a longer size.
+// Bytes of a client's unfragmented frame: two, four for its mask, and two for a longer size.
 std::uint64_t frame_bytes(std::size_t payload) {
   return payload + (payload < 126 ? 6 : 8);
 }
@@ -65,7 +65,7 @@ struct HaplyService::Connection {
 };
 
 struct HaplyService::Listener {
-  // Shared by several threads: a connection that one of them has taken must not hold up the others.
+  // Several threads share it: a connection that one of them has taken must not hold up the others.
   explicit Listener(bool shared = false) { acceptor.non_blocking(shared); }
   boost::asio::io_context io;
   tcp::acceptor acceptor{io, {boost::asio::ip::make_address("127.0.0.1"), 0}};
@@ -135,7 +135,7 @@ void HaplyService::serve_events() {
       };
       while (!gone(2)) {
         const std::lock_guard lock(mutex_);
-        if (gone(0)) break;  // what was told since is for the next one
+        if (gone(0)) break;  // what was set since is for the next one
         for (const std::string& each : untold_) {
           connection.socket.write(boost::asio::buffer(each));
         }
@@ -182,7 +182,7 @@ std::string HaplyService::state(bool inventory) {
   other["state"]["cursor_position"] = {{"x", 9}, {"y", 9}, {"z", 9}};
   json grip = {{"device_id", "1"},
                {"state", {{"orientation", {{"w", q.w}, {"x", q.z}, {"y", q.x}, {"z", q.y}}}}}};
-  grip["status"]["awake"] = grip_awake.load();  // asleep, it is as it was
+  grip["status"]["awake"] = grip_awake.load();  // asleep, it keeps its last state
   if (messages % 2 == 0) {
     grip["state"]["buttons"] = {{"a", (buttons_ & 1) != 0}, {"b", (buttons_ & 2) != 0}};
   } else {
@@ -232,7 +232,7 @@ void HaplyService::talk(Connection& connection) {
   socket.write(boost::asio::buffer(state(true)));
   while (!stop_ && trouble_ != test::Trouble::kNoAnswer) {
     if (trouble_ == test::Trouble::kSilent) {
-      // Nor does it look at its messages; it does notice the end of the connection.
+      // It does not read its messages either, but it does notice the end of the connection.
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       char room[65536];
       const ssize_t got = recv(handle, room, sizeof room, MSG_DONTWAIT);

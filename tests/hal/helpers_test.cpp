@@ -27,7 +27,7 @@ Ran run_with(std::uint32_t count, bool real_time) {
   HelperConfig config = {count, real_time, {}, 40};
   for (std::uint32_t i = 0; i < count; ++i) config.cpus.push_back(loop_processors(-1).back());
   Device device = rig.device();
-  device.write = [](void*, const Command&) {};  // a busy machine's guard is not the hand's business
+  device.write = [](void*, const Command&) {};  // faults of a busy machine do not matter here
   Ran ran;
   {
     std::unique_ptr<Helpers> helpers;
@@ -85,7 +85,7 @@ TEST(Helpers, SleepUntilTheNextTick) {
   EXPECT_LT(cpu_seconds() - before, 0.1) << "of 0.6 s that two threads could have had";
 }
 
-TEST(Helpers, MoreThanTheKernelTakesAreRefused) {
+TEST(Helpers, MoreThanTheKernelAcceptsAreRefused) {
   Rig rig;
   HostReport report;
   EXPECT_THROW(Helpers(rig.instance->kernel, {kMaxHelpers + 1, false, {}, 0}, rig.state, report),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The server as the library's own client sees it, and as hostile clients do.
+// The server as the library's own client and hostile clients see it.
 #include "hal/publish/igtl.h"
 
 #include <arpa/inet.h>
@@ -54,7 +54,7 @@ TickRecord record_at(float x_m, std::uint32_t needle = 0) {
   return record;
 }
 
-// The library's client: messages by "TYPE name", the newest of each.
+// The library's client. It keeps the newest message of each "TYPE name".
 class Client {
  public:
   explicit Client(std::uint16_t port) : socket_(igtl::ClientSocket::New()) {
@@ -129,7 +129,7 @@ TEST(Igtl, PlacesAreMillimetresInRas) {
   EXPECT_NEAR(-m[0][2], 1, 1e-6);
   EXPECT_NEAR(m[1][2], 0, 1e-6);
   EXPECT_NEAR(m[2][2], 0, 1e-6);
-  // Base's x is the world's -z in both frames; its y is turned round.
+  // The base's x is the world's -z in both frames; its y changes sign.
   EXPECT_NEAR(m[2][0], -1, 1e-6);
   EXPECT_NEAR(m[1][1], -1, 1e-6);
   client.transforms["StyletTip"]->GetMatrix(m);
@@ -185,7 +185,7 @@ TEST(Igtl, ForcesStateStatusAndTargets) {
   EXPECT_STREQ(client.statuses["Stylet"]->GetErrorName(), fault_name(Fault::kTooFast));
 }
 
-// A socket with a small room for what it never reads.
+// A socket with a small buffer, from which it never reads.
 int plain_client(std::uint16_t port) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   const int room = 2048;
@@ -224,7 +224,7 @@ TEST(Igtl, ClientThatNeverReadsLosesFramesAndOthersDoNot) {
   EXPECT_TRUE(wait_for([&] { return server.counters().clients == 1; }));
 }
 
-TEST(Igtl, WhatAClientSaysChangesNothing) {
+TEST(Igtl, MessagesOfAClientChangeNothing) {
   IgtlServer server(any_port());
   const TickRecord records[] = {record_at(0.1F)};
   server.post(records);
@@ -269,7 +269,7 @@ TEST(Igtl, OneClientTooManyIsClosed) {
   EXPECT_TRUE(late.receive());  // the targets, before there is any tick
 }
 
-TEST(Igtl, AddressesThatAreNoneAndPortsThatAreTaken) {
+TEST(Igtl, InvalidAddressesAndTakenPortsAreRefused) {
   const auto refusal = [](const IgtlConfig& config) -> std::string {
     try {
       const IgtlServer server(config);
@@ -290,13 +290,13 @@ TEST(Igtl, AddressesThatAreNoneAndPortsThatAreTaken) {
                 ": Address already in use: expected a free port, and an address of this machine");
 }
 
-// Other machines reach it only if that is asked for.
+// Other machines reach the server only if that was asked for.
 TEST(Igtl, ListensOnLoopbackAlone) {
   const IgtlServer server(any_port());
   sockaddr_in address = {};
   address.sin_family = AF_INET;
   address.sin_port = htons(server.port());
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK + 1);  // 127.0.0.2: this machine, but not ours
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK + 1);  // 127.0.0.2: another address
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   EXPECT_NE(connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   ::close(socket);

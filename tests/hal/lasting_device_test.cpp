@@ -19,7 +19,7 @@
 namespace stylet::hal {
 namespace {
 
-// All devices that were ever made; a call of one that is closed is noticed.
+// All devices that were ever made, so that a call of a closed one is noticed.
 struct Factory;
 struct Fake {
   Factory* factory = nullptr;
@@ -85,7 +85,7 @@ struct Factory {
   }
 };
 
-// Ticks without a pause, for at most a minute: this machine may be very busy.
+// Ticks without a pause, for at most a minute, because this machine may be very busy.
 bool ticks_until(const Device& device, const std::function<bool()>& done, std::uint64_t& seq) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!done()) {
@@ -101,7 +101,7 @@ bool ticks_until(const Device& device, const std::function<bool()>& done, std::u
   return true;
 }
 
-// A driver that hangs in closing must not hide the trouble before.
+// A driver that hangs while it closes must not hide the trouble before it.
 TEST(LastingDevice, TroubleIsToldBeforeTheDeviceIsClosed) {
   Factory factory;
   factory.closes_slowly = true;
@@ -118,7 +118,7 @@ TEST(LastingDevice, TroubleIsToldBeforeTheDeviceIsClosed) {
   device.close(device.self);
 }
 
-TEST(LastingDevice, PassesOnWhatTheDeviceSaysAndWhatItIsTold) {
+TEST(LastingDevice, PassesOnSamplesAndOrders) {
   Factory factory;
   const Device device = factory.lasting();
   for (std::uint64_t seq = 1; seq <= 3; ++seq) {
@@ -135,7 +135,7 @@ TEST(LastingDevice, PassesOnWhatTheDeviceSaysAndWhatItIsTold) {
   EXPECT_FALSE(factory.newest().open);
 }
 
-TEST(LastingDevice, IsOpenedAgainAndCountsOnAndNobodyTouchesAClosedOne) {
+TEST(LastingDevice, IsOpenedAgainGoesOnCountingAndNobodyCallsAClosedOne) {
   Factory factory;
   const Device device = factory.lasting();
   std::uint64_t seq = 0;
@@ -174,7 +174,7 @@ TEST(LastingDevice, WaitsLongerEachTimeAndSaysWhy) {
   ASSERT_TRUE(ticks_until(
       device, [&] { return factory.count() == 2; }, seq));
   device.close(device.self);
-  // The first is the opening itself. On a busy machine pauses are longer, never shorter.
+  // The first entry is the opening itself. On a busy machine pauses are longer, never shorter.
   const auto pause_ms = [&](std::size_t i) {
     return std::chrono::duration<double, std::milli>(factory.tries[i + 1] - factory.tries[i])
         .count();
@@ -183,7 +183,7 @@ TEST(LastingDevice, WaitsLongerEachTimeAndSaysWhy) {
   for (std::size_t i = 1; i < 6; ++i) EXPECT_GE(pause_ms(i), kLeastMs[i]) << i;
 }
 
-TEST(LastingDevice, WhateverOpeningThrowsIsATroubleAndTriedAgain) {
+TEST(LastingDevice, WhateverOpeningThrowsIsReportedAndOpeningIsTriedAgain) {
   Factory factory;
   const Device device = factory.lasting();
   factory.starves = true;
@@ -197,7 +197,7 @@ TEST(LastingDevice, WhateverOpeningThrowsIsATroubleAndTriedAgain) {
   device.close(device.self);
 }
 
-TEST(LastingDevice, WhatRendersLessIsNotTakenAndNamed) {
+TEST(LastingDevice, ADeviceThatRendersLessIsRefusedAndNamed) {
   Factory factory;
   const Device device = factory.lasting();
   factory.newest().failed = true;
@@ -211,8 +211,8 @@ TEST(LastingDevice, WhatRendersLessIsNotTakenAndNamed) {
   device.close(device.self);
 }
 
-// As strong as the first, but not the first.
-TEST(LastingDevice, AnotherDeviceIsNotTakenAndNamed) {
+// As strong as the first device, but another one.
+TEST(LastingDevice, AnotherDeviceIsRefusedAndNamed) {
   Factory factory;
   factory.identity = "17";
   const Device device = factory.lasting();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slots of shared memory: who may come first, what is new, and what is left behind.
+// The slots of shared memory: either side may come first; what counts as new; what is left behind.
 #include "hal/device/link.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ class SharedMemory : public testing::Test {
   std::list<Link> open_;
 };
 
-TEST_F(SharedMemory, WhatAnEarlierRunLeftIsNoNews) {
+TEST_F(SharedMemory, MessagesOfAnEarlierRunAreNotNew) {
   Link& earlier = open(Side::kStylet);
   Link& device = open(Side::kDevice);
   send(device, kSamplePacketBytes);
@@ -93,8 +93,9 @@ TEST_F(SharedMemory, TwoStyletsDoNotShareOne) {
   EXPECT_EQ(receive(first), kSamplePacketBytes);
 }
 
-// A run that is killed leaves its file. The next run takes it over, and nothing in it is news.
-TEST_F(SharedMemory, WhatAKilledRunLeftIsTakenOver) {
+// A run that is killed leaves its file. The next run takes it over, and nothing in it counts as
+// new.
+TEST_F(SharedMemory, TheFileOfAKilledRunIsTakenOver) {
   const pid_t child = fork();
   if (child == 0) {
     send(shared_memory(name(), Side::kStylet), kForcePacketBytes);
@@ -104,7 +105,7 @@ TEST_F(SharedMemory, WhatAKilledRunLeftIsTakenOver) {
   int status = 0;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   ASSERT_TRUE(there());
-  Link& device = open(Side::kDevice);  // of before: it stays in the same file
+  Link& device = open(Side::kDevice);  // of before the kill: it stays in the same file
   Link& stylet = open(Side::kStylet);
   EXPECT_EQ(receive(stylet), 0U);
   EXPECT_EQ(receive(device), 0U);
@@ -122,7 +123,7 @@ TEST_F(SharedMemory, ADeviceThatComesLaterFindsTheLastForce) {
   EXPECT_EQ(receive(device), 0U) << "once";
 }
 
-TEST_F(SharedMemory, RoomTooSmallGetsNothing) {
+TEST_F(SharedMemory, ABufferThatIsTooSmallGetsNothing) {
   Link& stylet = open(Side::kStylet);
   send(open(Side::kDevice), kSamplePacketBytes);
   EXPECT_EQ(receive(stylet, kSamplePacketBytes - 1), 0U);
@@ -136,9 +137,9 @@ TEST_F(SharedMemory, ClosedLeavesNothingMapped) {
   EXPECT_FALSE(is_mapped());
 }
 
-// As `open(path, "wb")` in a peer's program does: nothing comes through on either side, and nothing
-// worse happens.
-TEST_F(SharedMemory, AFileThatIsShortenedIsSilenceAndTold) {
+// `open(path, "wb")` in a peer's program shortens the file: nothing comes through on either side,
+// and nothing worse happens.
+TEST_F(SharedMemory, AFileThatIsShortenedIsSilenceAndIsReported) {
   Link& stylet = open(Side::kStylet);
   Link& device = open(Side::kDevice);
   send(device, kSamplePacketBytes);
@@ -162,9 +163,9 @@ TEST_F(SharedMemory, AFileThatIsShortenedIsSilenceAndTold) {
   EXPECT_EQ(receive(next), kSamplePacketBytes) << "the next run has a file of its own";
 }
 
-// A fault in memory that is not ours still ends the program. A sanitizer takes over the signal when
-// the program starts.
-TEST_F(SharedMemory, PagesOfSomebodyElseAreNotMended) {
+// A page fault in other memory still ends the program. A sanitizer takes over the signal when the
+// program starts.
+TEST_F(SharedMemory, FaultsInOtherMemoryEndTheProgram) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
       {
@@ -177,7 +178,7 @@ TEST_F(SharedMemory, PagesOfSomebodyElseAreNotMended) {
       testing::KilledBySignal(SIGBUS), "");
 }
 
-// A socket of somebody's, on this machine.
+// A socket of another program on this machine.
 struct Speaker {
   int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
   ~Speaker() { ::close(socket); }
@@ -190,8 +191,9 @@ struct Speaker {
   }
 };
 
-// Whoever is served is served alone; another may come once nothing has come for a while.
-TEST(Udp, AnotherSpeakerIsNotHeardWhileTheFirstSpeaks) {
+// Only one peer is served at a time; another is accepted after the first has been silent for a
+// while.
+TEST(Udp, AnotherPeerIsIgnoredWhileTheFirstSends) {
   const auto port = static_cast<std::uint16_t>(20000 + getpid() % 12000);
   const Link link = udp_listen(std::to_string(port));
   const Speaker first, second;
@@ -210,9 +212,9 @@ TEST(Udp, AnotherSpeakerIsNotHeardWhileTheFirstSpeaks) {
   link.close(link.self);
 }
 
-// Among a thousand datagrams, empty ones or from others, in any order, none hides one of the peer
+// Empty datagrams and those of other peers, a thousand in any order, never hide one of the peer
 // that is served.
-TEST(Udp, WhatOthersSendIsNotTheEndOfWhatIsThere) {
+TEST(Udp, DatagramsOfOthersDoNotEndTheReading) {
   const auto port = static_cast<std::uint16_t>(20000 + getpid() % 12000);
   const Link link = udp_listen(std::to_string(port));
   const Speaker served, other;

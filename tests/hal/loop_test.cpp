@@ -31,10 +31,10 @@ Vec3 minus(Vec3 a, Vec3 b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-// Stands between the loop and a good device, and spoils what passes.
+// Stands between the loop and a good device, and spoils the samples that pass.
 struct Spoiler {
   Device inner;
-  std::function<bool(std::uint64_t, Sample&)> spoil;  // tick from 1; false: no answer
+  std::function<bool(std::uint64_t, Sample&)> spoil;  // ticks count from 1; false: no answer
   std::uint64_t tick = 0;
   Vec3 written = {};
 };
@@ -82,7 +82,7 @@ TEST(Loop, ForcePushesTheHandBack) {
   double peak = 0;
   for (const TickRecord& record : felt) peak = std::max(peak, size(record.command_n));
   EXPECT_GT(peak, 0.15);
-  // The tissue's push keeps the hand short of its target by force over stiffness.
+  // The tissue pushes the hand back from its target, by force over stiffness.
   const double lag = static_cast<double>(felt.back().sample.pose.position_m.z) -
                      static_cast<double>(unfelt.back().sample.pose.position_m.z);
   EXPECT_NEAR(lag, size(felt.back().command_n) / 2000, 1e-7);
@@ -124,9 +124,8 @@ TEST(Loop, StopEndsItAfterTheTickWithZeroForce) {
 // ---- late ticks
 // ------------------------------------------------------------------------------------
 
-// The mailbox: a fault is acknowledged by its name, as long as it is the present one, and while the
-// device answers.
-TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
+// The mailbox: an acknowledgement counts if it names the present fault and the device answers.
+TEST(Acknowledged, ByNameWhileTheDeviceAnswersAndNotForLaterFaults) {
   Rig rig;
   rig.config.ticks = 600;
   bool silent = false;
@@ -140,9 +139,9 @@ TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
   people = [&](std::uint64_t tick) {
     latched.push_back(mailbox.latched.load().fault);
     silent = tick >= 100 && tick < 300;
-    if (tick == 200) mailbox.seen = {Fault::kDeviceSilent, 1};  // too early: it does not answer
-    if (tick == 320) mailbox.seen = {Fault::kBuzz, 1};          // not that one
-    if (tick == 330) mailbox.seen = {Fault::kDeviceSilent, 2};  // nor one that is to come
+    if (tick == 200) mailbox.seen = {Fault::kDeviceSilent, 1};  // too early: no answer yet
+    if (tick == 320) mailbox.seen = {Fault::kBuzz, 1};          // another fault
+    if (tick == 330) mailbox.seen = {Fault::kDeviceSilent, 2};  // a fault that is still to come
     if (tick == 340) mailbox.seen = {Fault::kDeviceSilent, 1};
     // The next fault of the same kind; an acknowledgement of the first one comes too late.
     if (tick == 450 || tick == 560) guard_trip(rig.state.hand[0].guard, Fault::kDeviceSilent);
@@ -162,7 +161,7 @@ TEST(Acknowledged, ByItsNameWhileTheDeviceAnswersAndNotLater) {
   EXPECT_EQ(rig.state.hand[0].guard.counters.rearms, 2U);
 }
 
-// It was away, and somebody moved it: the needle goes on from where it was.
+// Somebody moved the device while it did not answer: the needle goes on from where it was.
 TEST(Acknowledged, DeviceThatComesBackElsewhereDoesNotMoveTheNeedle) {
   Rig rig;
   rig.config.ticks = 600;
@@ -183,7 +182,7 @@ TEST(Acknowledged, DeviceThatComesBackElsewhereDoesNotMoveTheNeedle) {
   expect_safe(records, rig.config.hand[0].guard);
 }
 
-// Somebody quick acknowledges while the force still fades: that is kept until the fade is over.
+// An acknowledgement that comes while the force still fades is kept until the fade is over.
 TEST(Acknowledged, DuringTheFadeItWaitsForItsEnd) {
   Rig rig;
   rig.config.ticks = 400;
@@ -238,9 +237,9 @@ TEST(LateTicks, TwentyInARowLatch) {
   }
 }
 
-// As an outside check loaded a machine: for seconds 17 ms busy and 1.5 free, or 8.5 busy of 11. 20
-// ms are lost within three rounds, less what the ticks between made up for.
-TEST(LateTicks, AgainAndAgainTheyAddUpToAFault) {
+// Loads that an independent check used: for seconds, 17 ms busy and 1.5 ms free, or 8.5 ms busy of
+// 11. Within three rounds 20 ms are lost, less what the ticks in between make up for.
+TEST(LateTicks, RepeatedOnesAddUpToAFault) {
   struct Load {
     double busy_ms, free_ms;
     bool latches;
@@ -273,7 +272,7 @@ TEST(LateTicks, AgainAndAgainTheyAddUpToAFault) {
   }
 }
 
-TEST(LateTicks, HistogramHoldsThem) {
+TEST(LateTicks, AreInTheHistogram) {
   Histogram histogram;
   for (int i = 0; i < 990; ++i) histogram_add(histogram, 10'500);
   for (int i = 0; i < 9; ++i) histogram_add(histogram, 200'000);
@@ -319,7 +318,7 @@ std::vector<Spoil> single_faults() {
   return faults;
 }
 
-TEST(BadDevice, OneBadSampleAtEveryTickIsCountedAndHarmless) {
+TEST(BadDevice, OneBadSampleAtAnyTickIsCountedAndHarmless) {
   const std::vector<Spoil> faults = single_faults();
   for (std::uint64_t at = 1; at <= 240; ++at) {
     Rig rig;
@@ -439,7 +438,7 @@ TEST_F(ReplayTest, GivesTheSameBits) {
 TEST_F(ReplayTest, NamesTheFirstTickAndFieldThatDiffer) {
   const RecordingReader recording(path_);
   Rig other;
-  for (int i = 0; i < 3; ++i) (void)tick(other.instance->kernel, {{}, 0});  // not fresh
+  for (int i = 0; i < 3; ++i) (void)tick(other.instance->kernel, {{}, 0});  // it has ticked already
   const ReplayResult result = replay(recording, other.instance->kernel);
   EXPECT_FALSE(result.same);
   EXPECT_EQ(result.tick, 1U);
@@ -460,7 +459,7 @@ TEST_F(ReplayTest, RecordedDeviceGivesTheSameRun) {
 
 TEST_F(ReplayTest, MissingOrganIsNamed) {
   RecordingInfo info;
-  // Looked for beside the recording as well, where other users may have theirs.
+  // It is also looked for beside the recording, where other users may have it.
   info.organ_file = "/nowhere/" + std::to_string(getpid()) + ".organ";
   EXPECT_THROW((void)find_recorded_organ(path_, info, ""), LoadError);
   EXPECT_EQ(find_recorded_organ(path_, info, "given.organ"), "given.organ");
@@ -503,7 +502,7 @@ struct Pair {
   }
 };
 
-TEST(TwoNeedles, EachFeelsItsOwnForceAndEventsSayWhose) {
+TEST(TwoNeedles, EachFeelsItsOwnForceAndEventsNameTheNeedle) {
   Pair pair;
   const auto records = pair.run();
   ASSERT_EQ(records[0].size(), pair.rig.config.ticks);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop on the real clock calls no heap, has no page fault and makes no system call but
-// sleeping. Each trap is also shown to fire.
+// The loop on the real clock makes no heap call, no page fault and no system call but sleeping.
+// Each trap is also shown to fire.
 #include <gtest/gtest.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::int64_t kPeriodNs = 200'000;
 
-// With everything that guard, coupling and device can do.
+// Uses everything that guard, coupling and device can do.
 void run_on_real_clock(Rig& rig, const Device& device) {
   rig.config.period_ns = kPeriodNs;
   const DeviceModel& touch = *find_device_model("touch");
@@ -76,7 +76,7 @@ TEST(LoopTrap, CallsNoHeapAndCausesNoPageFault) {
 TEST(LoopTrap, HeapTrapFires) {
   Rig rig;
   Sinner sinner{rig.device(), [] {
-                  int* volatile number = new int(1);  // volatile: else the pair is optimised away
+                  int* volatile number = new int(1);  // volatile, or the compiler removes the pair
                   delete number;
                 }};
   test::arm_allocation_trap();
@@ -84,7 +84,7 @@ TEST(LoopTrap, HeapTrapFires) {
   EXPECT_GE(test::disarm_allocation_trap(), rig.config.ticks);
 }
 
-// From here on any other system call kills the process.
+// From here on any system call that is not allowed kills the process.
 bool allow_only_sleep() {
   constexpr std::uint32_t kNumber = offsetof(seccomp_data, nr);
   sock_filter rules[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kNumber),
@@ -98,7 +98,8 @@ bool allow_only_sleep() {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// How a child ended that ran the loop and was only allowed to sleep, look at the clock and exit.
+// How a child process ended that ran the loop and was allowed only to sleep, read the clock and
+// exit.
 int status_of_confined_run(void (*sin)()) {
   Rig rig;
   Sinner sinner{rig.device(), sin};

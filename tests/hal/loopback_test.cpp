@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-// One direction. What befalls a packet depends on its number and the seed alone.
+// One direction. What happens to a packet depends only on its number and the seed.
 class Weather {
  public:
   explicit Weather(unsigned seed) : random_(seed) {}
@@ -56,7 +56,7 @@ class Relayer {
   explicit Relayer(unsigned seed) : to_stylet_(seed), to_station_(seed + 1) {
     front_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     back_ = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-    sockaddr_in own = address(0);  // whichever is free
+    sockaddr_in own = address(0);  // any free port
     const sockaddr_in stylet = address(std::stoi(test_port()));
     socklen_t size = sizeof own;
     EXPECT_EQ(bind(front_, reinterpret_cast<const sockaddr*>(&own), size), 0);
@@ -131,9 +131,9 @@ class SecondMachine {
   }
 
   struct Tick {
-    std::int64_t now_ns, age_ns;  // of the model that is felt
+    std::int64_t now_ns, age_ns;  // age of the model that is felt
     double force_n;
-    bool punctual;  // and all of the last 30 were: no older force because this machine was busy
+    bool punctual;  // as were the last 30 ticks: no busy machine aged the force
   };
   std::vector<Tick> ticks;  // after stop
   std::atomic<double> felt_n{0};
@@ -184,7 +184,7 @@ TEST(Loopback, NothingStaleIsFeltThroughRealSocketsAndAStallIsLatched) {
   {
     Ticker first("udp:127.0.0.1:" + test_port());
     EXPECT_EQ(first.device.info.max_force_n, 3);
-    // Both fade in; on a busy machine both latch a fault when it makes them late.
+    // Both fade in. On a busy machine both may latch a fault, when it makes them late.
     const auto comes_to_feel = [&second](Ticker& ticker) {
       for (int i = 0; i < 60; ++i) {
         if (ticker.tick_until({1, 0, 0}, [&] { return second.felt_n > 0.5; })) return true;
@@ -208,7 +208,7 @@ TEST(Loopback, NothingStaleIsFeltThroughRealSocketsAndAStallIsLatched) {
     EXPECT_TRUE(comes_to_feel(first));
   }
   second.stop();
-  EXPECT_GT(second.state.refused, 100U);  // doubled, or overtaken
+  EXPECT_GT(second.state.refused, 100U);  // duplicates, and packets that were overtaken
   int judged = 0;
   for (const auto& tick : second.ticks) {
     if (!tick.punctual) continue;

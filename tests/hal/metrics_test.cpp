@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers in the metrics. That the text has the right format is checked by metrics_test.py,
-// which reads what Metrics.Sample prints with Prometheus' own parser.
+// The numbers in the metrics. metrics_test.py checks the format of the text: it reads what
+// Metrics.Sample prints with Prometheus' own parser.
 #include "hal/publish/metrics.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ bool has_line(const std::string& text, const std::string& line) {
 TEST(Metrics, TicksAndTheirTimes) {
   Metrics metrics;
   metrics.needles = 2;
-  metrics_add(metrics, tick(10, 1));  // on an edge: in the bucket that ends there
+  metrics_add(metrics, tick(10, 1));  // on an edge: it counts in the bucket that ends there
   metrics_add(metrics, tick(11, 1));
   metrics_add(metrics, tick(480, 30));
   metrics_add(metrics, tick(480, 30, Fault::kNone, 1));  // the same tick of another needle
@@ -63,13 +63,13 @@ TEST(Metrics, FaultsCountWhenTheyLatch) {
   EXPECT_EQ(text.find("needle=\"2\""), std::string::npos);
 }
 
-// A scene's name may hold anything.
+// A scene's name may contain any characters.
 TEST(Metrics, Sample) {
   Metrics metrics;
   metrics.version = "0.1.0";
   metrics.scene = "a\"b\\c\nd} 1\n# TYPE \xff \t.toml";
   metrics.period_s = 1e-3;
-  metrics.needles = 40;  // more than there can be
+  metrics.needles = 40;  // more than possible
   metrics.ticks = std::numeric_limits<std::uint64_t>::max() - 3;
   metrics.connections = 3;
   for (std::uint32_t us = 0; us < 2000; us += 7) metrics_add(metrics, tick(us, us / 20));

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The metrics' text as Prometheus reads it: its client library's parser, its naming rules, and
-promtool where it is installed.
+"""The metrics' text as Prometheus reads it: by the parser of its client library, its naming rules,
+and promtool if that is installed.
 
 usage: metrics_test.py PROGRAM   which prints a sample between <<< and >>>
 """
@@ -67,13 +67,13 @@ class Format(unittest.TestCase):
         self.assertEqual(buckets[-1][0], math.inf)
         values = {s.name: s.value for s in histogram.samples}
         self.assertEqual(buckets[-1][1], values["stylet_tick_duration_seconds_count"])
-        # 0, 7, 14 ... us, written without a digit lost
+        # 0, 7, 14 ... us, written with all their digits
         expected = sum(range(0, 2000, 7)) * 1e-6
         self.assertAlmostEqual(values["stylet_tick_duration_seconds_sum"], expected, places=12)
         self.assertEqual(dict(buckets)[1e-3], len(range(0, 1001, 7)))
 
     @unittest.skipUnless(shutil.which("promtool"), "promtool is missing")
-    def test_promtool_has_nothing_to_say(self):
+    def test_promtool_has_no_complaint(self):
         done = subprocess.run(["promtool", "check", "metrics"], input=self.text, text=True,
                               capture_output=True, check=False)
         self.assertEqual((done.returncode, done.stdout + done.stderr), (0, ""))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force that a hand gets from the whole chain, in a process in virtual time: the real loop with
 // kernel, coupling, grip and guard; every backend that renders force, with its threads and its
-// stand-in, opened again when it fails; `udp:` and `shm:` with a program that keeps the README's
-// rules; a station with a device of its own. Random sessions are judged where the force is felt, by
-// rules that know nothing of the code.
+// stand-in, opened again when it fails; `udp:` and `shm:` with a program that keeps the rules of
+// packets.md; a station with a device of its own. Random sessions are judged where the force is
+// felt, by rules that know nothing of the code.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -26,18 +26,18 @@ namespace {
 
 // Who has the motors.
 enum class Motors {
-  kLibrary,  // the vendor's, in this process; orders that are not renewed end
-  kService,  // of the vendor; drops the force of a client that is gone
-  kPeer,     // a program that keeps the README's rules
-  kStation,  // a station, with a library's device of its own
+  kLibrary,  // the vendor's, in this process; orders must be renewed
+  kService,  // the vendor's; it drops the force of a client that has gone
+  kPeer,     // a program that keeps the rules of packets.md
+  kStation,  // a station with a vendor's device of its own
 };
 struct Backend {
   const char* name;  // its driver's scheme
   Motors motors = Motors::kLibrary;
   MakeBench bench = nullptr;                        // the vendor's stand-in
-  bool may_refuse_watchdog = false;                 // the library: some devices have none
-  const char* uri = nullptr;                        // of a peer, but for the port
-  Link (*link)(const std::string& port) = nullptr;  // its end of the link
+  bool may_refuse_watchdog = false;                 // of a library: some devices have no watchdog
+  const char* uri = nullptr;                        // of a peer, without the port
+  Link (*link)(const std::string& port) = nullptr;  // the peer's end of the link
 };
 Link by_network(const std::string& port) {
   return udp_connect("127.0.0.1:" + port);
@@ -58,7 +58,8 @@ void PrintTo(const Backend& backend, std::ostream* out) {
   *out << backend.name;
 }
 
-// Those of all drivers that render force, and a station. A driver that is not above has no motors.
+// Backends of all drivers that render force, and a station. Drivers that are not in the list above
+// have no motors.
 std::vector<Backend> all_backends() {
   std::vector<Backend> found;
   for (const DriverDescriptor* driver : drivers_with_haply()) {
@@ -80,7 +81,7 @@ struct Session {
   std::unique_ptr<Bench> bench;
   std::unique_ptr<PeerHand> peer;
   std::unique_ptr<StationHand> station;
-  Device device = {}, seen = {};  // the backend's, and what the loop has of it
+  Device device = {}, seen = {};  // the backend's device, and the one that the loop sees
   Stalls loop, driver, service;
   int driver_thread = -1;
   double trouble = 0;
@@ -108,7 +109,7 @@ struct Session {
     return out;
   }
 
-  // ---- who is there
+  // ---- what takes part
 
   void open() {
     const std::string port = test_port();
@@ -116,7 +117,7 @@ struct Session {
     if (backend.may_refuse_watchdog) bench->refuse_watchdog(draw.chance(0.5));
     const std::string uri = backend.uri != nullptr ? backend.uri + port : bench->uri();
     if (uri.starts_with("shm:")) {
-      std::ofstream("/dev/shm/stylet." + uri.substr(4));  // as of a run that was killed
+      std::ofstream("/dev/shm/stylet." + uri.substr(4));  // as a run leaves it that was killed
     }
     if (backend.motors == Motors::kPeer) {
       peer = std::make_unique<PeerHand>(weather(backend.link(port)), driver, trouble);
@@ -160,8 +161,8 @@ struct Session {
     if (!judge.orders_expire) judge.lag_ms = kZeroMs;
     judge.drops = backend.motors == Motors::kService;
     if (judge.drops) judge.held_ms = 21;
-    // A socket of this process is looked at only so often. Behind it, what leaves our thread is
-    // slewed.
+    // The service reads its socket only every so often, so slew is judged by what leaves our
+    // thread.
     if (judge.drops) judge.way_ms = ms(test::kLookNs);
     if (peer != nullptr) judge.slew_n_per_s = static_cast<double>(PeerHand::kSlewNPerS);
     if (station != nullptr) judge.slew_n_per_s = 1000;
@@ -178,8 +179,8 @@ struct Session {
   static bool read(void* self, std::int64_t tick_ns, Sample& out) {
     Session& s = *static_cast<Session*>(self);
     if (s.draw.chance(s.trouble * 0.2)) s.stall(s.draw.ms(0.5, 40));
-    // Motors of this process go by the tick. A peer's motors go by the sample that is answered,
-    // which may have been taken after a stall in the tick.
+    // Motors in this process count from the tick. A peer's motors count from the sample that is
+    // answered, which may have been taken after a stall within the tick.
     s.order_ns = s.goes_by_samples() ? test::virtual_now_ns() : tick_ns;
     return s.device.read(s.device.self, tick_ns, out);
   }
@@ -190,7 +191,7 @@ struct Session {
     const float stiffest = hand.coupling.stiffness_n_per_m * hand.grip.force_scale;
     if (!(command.stiffness_n_per_m <= stiffest * 1.0001F)) s.judge.fail("too stiff a model");
     s.device.write(s.device.self, command);
-    // Before there was any force, nobody has to acknowledge what is over.
+    // Before there was any force, a fault that is over needs no acknowledgement.
     if (command.arming != s.arming && s.judge.strongest_n == 0) s.judge.acknowledged();
     s.arming = command.arming;
     s.judge.ordered(s.order_ns);
@@ -200,7 +201,7 @@ struct Session {
     Session& s = *static_cast<Session*>(self);
     return s.device.motor(s.device.self, out);
   }
-  std::int64_t order_ns = 0;  // of which time what the loop knows is
+  std::int64_t order_ns = 0;  // time at which the loop's knowledge was taken
   bool goes_by_samples() const { return peer != nullptr || station != nullptr; }
   std::uint32_t arming = 1;
 
@@ -210,7 +211,7 @@ struct Session {
   }
   void stall(std::int64_t ns) { test::sleep_until_virtual(test::virtual_now_ns() + ns); }
 
-  // Until the loop's next tick.
+  // Time until the loop's next tick.
   void sleep_until(std::int64_t t_ns) {
     note_fault();
     operate();
@@ -274,13 +275,13 @@ struct Session {
       run_loop(rig.config, rig.instance->kernel, std::span(&seen, 1), clock, {}, rig.state);
       note_fault();
     }
-    judge.fault();  // the end of a run: gone in time, and for good
+    judge.fault();  // the end of a run: the force ends in time, and for good
     stall(draw.ms(20, 60));
   }
 
-  // Reset and Start, as the console does it: tissue, coupling and grip begin anew, while the guards
-  // of a device that stayed open go on. A latched fault stays latched; a guard that let go in order
-  // is armed anew.
+  // Reset and Start, as the console does it: tissue, coupling and grip begin again, while the
+  // guards of a device that stayed open go on. A latched fault stays latched; a guard that ended
+  // without a fault is armed again.
   void resume() {
     judge.fault();
     const std::int64_t idle_ns = draw.ms(0, 100);
@@ -324,7 +325,7 @@ Seen run_session(std::uint64_t seed, const Backend& backend) {
 
 class MotorBackends : public testing::TestWithParam<Backend> {};
 
-TEST_P(MotorBackends, GiveTheHandNothingThatHurts) {
+TEST_P(MotorBackends, GiveTheHandNoForceThatTheRulesForbid) {
   ASSERT_TRUE(GetParam().bench != nullptr || GetParam().link != nullptr)
       << "this driver renders force: its stand-in belongs into kBackends";
   const int first = number_from("STYLET_MOTOR_FIRST", 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the random sessions of motors are drawn from: numbers that are the same everywhere, and a
+// What random sessions of motors are made of: random numbers that are the same everywhere, and a
 // thread or machine that does nothing for a while.
 #pragma once
 
@@ -18,7 +18,7 @@ inline double size_of(Vec3 v) {
   return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
 }
 
-// The standard's distributions differ from library to library.
+// The distributions of the standard library differ from library to library.
 struct Draw {
   std::mt19937_64 engine;
   double part() { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
@@ -31,17 +31,17 @@ struct Draw {
 
 using test::number_from;
 
-// Something that does nothing until a time: now and then, or again and again.
+// Something that does nothing until a given time: at random, or periodically.
 struct Stalls {
-  double share = 0;           // of wake-ups that begin one
-  std::int64_t every_ns = 0;  // 0: at random only
+  double share = 0;           // fraction of wake-ups that begin a stall
+  std::int64_t every_ns = 0;  // 0: only at random
   std::int64_t longest_ns = 0;
   std::int64_t until_ns = 0, next_ns = 0;
 
   static Stalls drawn(Draw& draw) {
     Stalls out;
     if (draw.chance(0.3)) return out;
-    // Short and long ones alike: 0.5 to 300 ms, evenly over their logarithm.
+    // Short and long stalls alike: 0.5 to 300 ms, evenly over the logarithm.
     out.longest_ns = static_cast<std::int64_t>(0.5e6 * std::pow(600.0, draw.part()));
     if (draw.chance(0.3)) {
       out.every_ns = out.longest_ns + draw.ms(0.5, 40);

@@ -15,38 +15,38 @@
 
 namespace stylet::hal {
 
-constexpr double kZeroMs = 25;    // from any fault to no force, as hal/guard/GUARD.md promises
-constexpr double kSlackMs = 1.1;  // whoever writes once a millisecond notices one later
+constexpr double kZeroMs = 25;    // from any fault to zero force: GUARD.md, R6
+constexpr double kSlackMs = 1.1;  // a writer with a period of 1 ms may notice one later
 
 inline double ms(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-6;
 }
 
-// What is seen from outside; looked at whenever a thread begins to wait.
+// Sees the force from outside, whenever a thread begins to wait.
 struct Judge {
   std::function<Vec3()> felt;
   std::function<int()> writes;
   double most_n = 0, slew_n_per_s = 0;
   double lag_ms = 2;           // from the guard to the hand
-  double way_ms = 0;           // by so much closer together two writes arrive than they left
-  double held_ms = 0;          // how long an order may be under way when a service stands still
-  bool drops = false;          // a service drops the force of a client that gives it up
+  double way_ms = 0;           // two writes may arrive closer together by this
+  double held_ms = 0;          // delay of an order by a service that stands still
+  bool drops = false;          // a service drops the force when its client leaves
   bool orders_expire = false;  // after 10 ms
-  bool writes_hang = false;    // what the call that hangs was about to write may come late, once
-  bool supervised = true;      // somebody cuts the force when its writer is held up
+  bool writes_hang = false;    // what a hanging call was about to write may come late
+  bool supervised = true;      // a supervisor cuts the force if its writer is held up
   std::function<std::int64_t()> now_ns = test::virtual_now_ns;
 
   std::int64_t loop_ns = 0;     // of the newest order
   std::int64_t fault_ns = 0;    // 0: none
-  std::int64_t trouble_ns = 0;  // of the device: till then it may cut the force
-  bool over = false;            // no force before somebody acknowledged
-  bool armed_anew = false;      // but no order has come yet
-  bool expired = false;         // no more than there is, likewise
+  std::int64_t trouble_ns = 0;  // of the device: until then it may cut the force
+  bool over = false;            // no force until somebody acknowledges
+  bool armed_anew = false;      // armed again, but no order has come yet
+  bool expired = false;         // the force may only fall, for the same reason
   Vec3 last_n = {};
   int last_writes = 0;
-  std::int64_t written_ns = 0, before_ns = 0;  // last, and the time before
+  std::int64_t written_ns = 0, before_ns = 0;  // of the last write, and of the one before
   double strongest_n = 0;
-  int returns = 0;  // of a force, after somebody acknowledged
+  int returns = 0;  // how often a force came back after an acknowledgement
   std::string broken;
 
   void fail(const std::string& why) {
@@ -79,7 +79,7 @@ struct Judge {
     strongest_n = std::max(strongest_n, size);
     if (!std::isfinite(size)) fail("not finite");
     if (size > most_n * (1 + 1e-4)) fail("over the limit: " + std::to_string(size) + " N");
-    // A vendor's own cut: its device is in trouble, or its writer was held up.
+    // The vendor's own cut: its device is in trouble, or its writer was held up.
     const bool dropped = drops && !wrote && size == 0 && change > 0;
     const bool cut = dropped || (size == 0 && (now < trouble_ns || passed_ms > 9.9));
     const double most = slew_n_per_s * 1e-3 * (passed_ms + way_ms) * (1 + 1e-4) + 1e-5;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two hands at once, in a process in virtual time: two `hd:` devices, which share one servo of
 // their library, two `dhd:` devices, and one of each, on their stand-ins, each opened again when it
-// fails. In random sessions each hand is judged by itself as in motor_backends_test.cpp. It feels
-// its own device's force, and after a stall of everything both are back once they were
+// fails. In random sessions each hand is judged by itself, as in motor_backends_test.cpp: it feels
+// its own device's force, and after a stall of everything both are back as soon as they are
 // acknowledged.
 #include <array>
 #include <deque>
@@ -29,8 +29,8 @@ constexpr std::size_t kHands = 2;
 // The motors have a force within what was asked of them in this time, or none.
 constexpr std::int64_t kAskedNs = 60 * kMs;
 
-// By then whatever failed together is back: one try every 4 s (kLongestTryS) at the least for each
-// hand, and the acknowledgement.
+// By then all devices that failed together are back: each hand tries at least every 4 s
+// (kLongestTryS), and then somebody acknowledges.
 constexpr std::uint64_t kBackTicks = 9000;
 
 struct Asked {
@@ -44,12 +44,12 @@ struct OneHand {
   GuardState* guard = nullptr;
   Judge judge;
   Stalls stalls;                // of the vendor's calls
-  std::int64_t until_ns = 0;    // in trouble
-  double hz = 1, middle_m = 0;  // of its way
-  float x_m = 0;                // where it alone is
+  std::int64_t until_ns = 0;    // device in trouble until then
+  double hz = 1, middle_m = 0;  // of the hand's way
+  float x_m = 0;                // where only this hand is
   std::int64_t tick_ns = 0;
   std::uint32_t arming = 1;
-  bool forced = false;  // since it was looked at
+  bool forced = false;  // since the last look
   std::deque<Asked> asked;
 
   static bool read(void* self, std::int64_t tick_ns, Sample& out) {
@@ -82,7 +82,7 @@ struct OneHand {
     return true;
   }
 
-  // For each axis between the smallest and the largest force that was asked.
+  // On each axis the force lies between the smallest and the largest that were asked.
   void look() {
     judge.look();
     const std::int64_t now_ns = test::virtual_now_ns();
@@ -169,7 +169,7 @@ struct Session {
 
   // ---- what goes wrong
 
-  // Two devices with one servo: what holds up one holds up the other.
+  // Two devices with one servo: a call that holds up one also holds up the other.
   void in_trouble(OneHand& one, std::int64_t until_ns) {
     for (OneHand& each : hand) {
       if (&each != &one && pair != Pair::kTwoHd) continue;
@@ -220,8 +220,8 @@ struct Session {
     run_loop(rig.config, rig.instance->kernel, devices, clock, {}, rig.state);
   }
 
-  // Nothing more goes wrong, except that everything stands still once: in the end both hands are
-  // back.
+  // From now on nothing goes wrong, except that everything stands still once: in the end both hands
+  // are back.
   void recover() {
     calm = true;
     run_ticks(400);
@@ -240,7 +240,7 @@ struct Session {
   void run() {
     run_ticks(static_cast<std::uint64_t>(draw.between(500, 2500)));
     recover();
-    for (OneHand& each : hand) each.judge.fault();  // the end: gone in time, and for good
+    for (OneHand& each : hand) each.judge.fault();  // the end: the force ends in time, and for good
     test::sleep_until_virtual(test::virtual_now_ns() + draw.ms(30, 60));
   }
 };
@@ -266,7 +266,7 @@ int run_session(std::uint64_t seed, Pair pair) {
 
 class MotorPairs : public testing::TestWithParam<Pair> {};
 
-TEST_P(MotorPairs, GiveNeitherHandAnythingThatHurts) {
+TEST_P(MotorPairs, GiveNeitherHandAForceThatTheRulesForbid) {
   const int first = number_from("STYLET_MOTOR_FIRST", 1);
   const int count = number_from("STYLET_MOTOR_SESSIONS", 5);
   int forced = 0;

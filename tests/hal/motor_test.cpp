@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force that motors get, whatever loop, device and hand do: random sessions of guard, relay and
-// motor in virtual time, looked at where the force is written, by rules that know nothing of the
-// code.
+// motor in virtual time, judged where the force is written, by rules that know nothing of the code.
 #include "hal/device/motor.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@
 namespace stylet::hal {
 namespace {
 
-constexpr double kZeroMs = 25;  // from any fault to no force, as hal/guard/GUARD.md promises
+constexpr double kZeroMs = 25;  // from any fault to zero force: GUARD.md, R6
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 double apart(Vec3 a, Vec3 b) {
@@ -33,23 +32,23 @@ struct Session {
   DeviceInfo info;
   std::int64_t device_period_ns = kMs;
   Stalls loop, device;
-  double trouble = 0;  // share of ticks with one
+  double trouble = 0;  // fraction of ticks with trouble
   bool presses_on = false;
-  bool ends = false;  // its orders, as those of a station
+  bool ends = false;  // its orders have an end, as those of a station
   std::unique_ptr<Relay> relay = std::make_unique<Relay>();
   GuardState state = guard_start();
   std::int64_t now_ns = 1'000 * kMs, written_ns = 0;
   Vec3 written_n = {};
   // What is known from outside.
   std::int64_t loop_ns = 0;                    // of the newest order
-  std::int64_t orders_end_ns = 0;              // the latest of all
-  std::int64_t fault_ns = 0;                   // since when the guard has one; 0: none
-  std::int64_t failed_ns = 0;                  // the device, in the eyes of its driver
-  std::uint64_t acknowledged = 0, needed = 0;  // times; what must be reached for any force
+  std::int64_t orders_end_ns = 0;              // the latest end of all orders
+  std::int64_t fault_ns = 0;                   // since when the guard has a fault; 0: none
+  std::int64_t failed_ns = 0;                  // when the driver took the device for failed
+  std::uint64_t acknowledged = 0, needed = 0;  // number of times; the number that a force needs
   std::int64_t needed_ns = 0;                  // since when
   bool ordered = false;                        // since the last acknowledgement
   bool stopped = false;                        // orders were missing for longer than they live
-  bool felt = false;                           // a force, ever
+  bool felt = false;                           // there ever was a force
   std::string broken;
 
   explicit Session(std::uint64_t seed) : draw{std::mt19937_64(seed)} {
@@ -97,7 +96,8 @@ struct Session {
     const double force = size(force_n);
     if (!std::isfinite(force)) return fail("not finite");
     if (force > static_cast<double>(guard.max_force_n) * (1 + 1e-6)) return fail("over the limit");
-    // By a driver that gives its device up, or was held up and cannot know what the device did.
+    // Called for a driver that gives its device up, or that was held up and cannot know what the
+    // device did.
     const bool cut = force == 0 && (failed_ns != 0 || now_ns - written_ns > 10 * kMs);
     if (written_ns != 0 && !cut && apart(force_n, written_n) > most * (1 + 1e-5) + 1e-6) {
       return fail("changes faster than the slew limit");
@@ -151,7 +151,7 @@ struct Session {
     return {most, most * 0.2F, 0};
   }
 
-  // The order ends earlier by the time for which its sample was under way; some answers are lost.
+  // The order ends earlier, by the time for which its sample was under way; some answers are lost.
   std::int64_t next_end_ns() {
     if (!ends) return 0;
     if (draw.chance(0.7)) orders_end_ns = std::max(orders_end_ns, now_ns + draw.ms(8, 20));
@@ -185,7 +185,7 @@ struct Session {
                   .arming = state.arming,
                   .falls = guard_lets_go(state),
                   .end_ns = next_end_ns()});
-    if (state.arming != arming && !felt) accept();  // nobody is needed before there was a force
+    if (state.arming != arming && !felt) accept();  // none is needed before any force
     loop_ns = now_ns;
     ordered = true;
     note_fault(had);
@@ -196,7 +196,7 @@ struct Session {
     if (state.fault != Fault::kNone && draw.chance(0.02) && guard_rearm(state, state.fault)) {
       accept();
     }
-    // Not sooner than in reality, a quarter of a second later, when the guard has let go.
+    // Not before a quarter of a second has passed, as in reality, when the guard has let go.
     if (relay->failed() && state.mode == GuardMode::kFault && draw.chance(0.02)) {
       relay = std::make_unique<Relay>();
       relay->limits = motor_limits(info);
@@ -206,8 +206,8 @@ struct Session {
     if (draw.chance(0.0005)) reset();
   }
 
-  // Reset, and Start after a while. A latched fault stays latched; a guard that let go in order is
-  // armed anew.
+  // Reset, and Start after a while. A latched fault stays latched; a guard that ended without a
+  // fault is armed again.
   void reset() {
     const bool had = state.fault != Fault::kNone;
     GuardState torque = guard_start();
@@ -272,11 +272,11 @@ void run_sessions(std::uint64_t first, std::uint64_t count) {
   EXPECT_GT(acknowledged, count / 2) << "and faults that were acknowledged";
 }
 
-TEST(Motor, GetsNothingThatHurtsInSomeSessions) {
+TEST(Motor, KeepsEveryRuleInSomeSessions) {
   run_sessions(1, 400);
 }
 
-TEST(MotorExhaustive, GetsNothingThatHurtsInTenThousandSessions) {
+TEST(MotorExhaustive, KeepsEveryRuleInTenThousandSessions) {
   run_sessions(1'000'000, 10'000);
 }
 
@@ -315,7 +315,7 @@ TEST(Motor, FollowsTheOrderWithinItsLimits) {
   }
 }
 
-// Calls of the same length, some of them held up; the motors get their force at the end of each.
+// Calls of equal length, some of them held up; the motors get their force at the end of each call.
 TEST(Motor, ACallThatIsHeldUpIsNotFollowedByAStep) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Draw draw{std::mt19937_64(seed)};
@@ -356,7 +356,7 @@ TEST(Motor, CallsThatTakeLongKeepTheSlewLimit) {
   }
 }
 
-// The stalls of a loop that an outside check used.
+// Stalls of a loop that an independent check used.
 TEST(Motor, StallsAreADipOrAnEndAndNeverAKick) {
   for (int stall_ms = 1; stall_ms <= 60; ++stall_ms) {
     Desk desk;
@@ -383,20 +383,19 @@ TEST(Motor, StallsAreADipOrAnEndAndNeverAKick) {
   }
 }
 
-// The guard lets go, and both threads are held up: the fade goes on from where the guard's was, it
-// does not begin anew.
-TEST(Motor, AnOrderThatFallsAndComesLateIsWhereTheFadeBegins) {
+// The guard lets go, and both threads are held up: the motor goes on with the guard's fade, and
+// does not begin it again.
+TEST(Motor, ALateOrderThatAlreadyFadesIsContinuedNotRestarted) {
   Desk desk;
   for (int i = 0; i < 10; ++i) desk.push({2.9F, 0, 0});
   desk.order = {{1.5F, 0, 0}, {}, desk.now_ns + 3 * kMs, 1, true};
-  desk.step(9 * kMs);  // 6 ms old when it is seen: 4 of them fresh
+  desk.step(9 * kMs);  // 6 ms old when it is seen, and fresh for 4
   for (int i = 0; i < 8; ++i) desk.step();
   EXPECT_NEAR(size(desk.state.report.force_n), 0, 1e-6) << "10 ms of 3 N in 20 ms";
 }
 
-// Whoever gives orders is held up from some tick on. The order itself says when no force may be
-// left.
-TEST(Motor, AnOrderThatEndsIsGoneByThenWithinTheSlewLimit) {
+// From some tick on no orders come. The last order itself says when no force may be left.
+TEST(Motor, TheForceOfAnOrderIsZeroAtItsEndWithinTheSlewLimit) {
   for (int held_ms = 0; held_ms <= 20; ++held_ms) {
     for (const float slew_n_per_s : {150.0F, 300.0F, 1000.0F}) {
       Desk desk;
@@ -415,7 +414,7 @@ TEST(Motor, AnOrderThatEndsIsGoneByThenWithinTheSlewLimit) {
   }
 }
 
-TEST(Motor, WhatHasFailedIsCutAndWhatIsClosedFades) {
+TEST(Motor, AFailedDeviceIsCutAndAClosedOneFades) {
   Desk failed, closed;
   for (Desk* each : {&failed, &closed}) {
     for (int i = 0; i < 10; ++i) each->push({2.9F, 0, 0});
@@ -446,7 +445,7 @@ TEST(Motor, AnOrderOfTheFutureAgesFromWhenItWasSeen) {
   }
 }
 
-TEST(Motor, ALimitThatIsNoneIsTheSmallest) {
+TEST(Motor, AnInvalidLimitCountsAsTheSmallest) {
   for (const float none : {0.0F, -1.0F, kNan, std::numeric_limits<float>::infinity()}) {
     Desk slews, pushes;
     slews.limits.max_slew_n_per_s = none;
@@ -459,7 +458,7 @@ TEST(Motor, ALimitThatIsNoneIsTheSmallest) {
   }
 }
 
-TEST(Motor, OnlyANewerArmingMovesWhatHasStopped) {
+TEST(Motor, OnlyANewerArmingMovesMotorsThatStopped) {
   for (const std::uint32_t arming : {7U, 0x7FFFFFFFU, 0xFFFFFFFFU, 0x80000000U}) {
     Desk desk;
     desk.order.arming = arming;
@@ -484,7 +483,7 @@ TEST(Motor, TorqueHasItsOwnLimitAndSlew) {
   for (int i = 0; i < 20; ++i) {
     desk.push({});
     const double now = size(desk.state.report.torque_nm);
-    EXPECT_LE(now - last, 0.01 + 1e-7);  // from nothing to 0.1 N m in 10 ms
+    EXPECT_LE(now - last, 0.01 + 1e-7);  // from zero to 0.1 N m in 10 ms
     last = now;
   }
   EXPECT_NEAR(last, 0.1, 1e-6);
@@ -504,7 +503,7 @@ TEST(Guard, LearnsThatTheMotorsHaveStoppedAndStaysThere) {
   EXPECT_EQ(state.mode, GuardMode::kFault);
 }
 
-// A run ends in the fade of a fault, and its last ticks were lost: the fade counts them.
+// A run ends during the fade of a fault, and its last ticks were lost: the fade counts their time.
 TEST(Guard, TheEndOfARunCountsTheTimeThatWasLost) {
   for (int lost_ms = 1; lost_ms < 30; ++lost_ms) {
     GuardConfig config;
@@ -528,8 +527,8 @@ TEST(Guard, TheEndOfARunCountsTheTimeThatWasLost) {
   }
 }
 
-// The report of a peer is as old as the time that it was under way.
-TEST(Guard, FadesFromTheSmallerOfWhatWasSentAndWhatIsHad) {
+// The report of a peer is old by the time for which it was under way.
+TEST(Guard, FadesFromTheSmallerOfTheForceSentAndTheForceReported) {
   for (const float had_n : {0.0F, 0.5F, 2.5F}) {
     GuardConfig config;
     config.ramp_s = 0;
@@ -543,7 +542,7 @@ TEST(Guard, FadesFromTheSmallerOfWhatWasSentAndWhatIsHad) {
 }
 
 // 60 s of 1 N sent are (1 - 1/e) N^2; of 2 N felt, four times that.
-TEST(Guard, HeatIsThatOfWhatTheMotorsHaveWhereItIsMore) {
+TEST(Guard, HeatIsThatOfTheReportedForceIfItIsLarger) {
   GuardConfig config;
   config.continuous_force_n = 4;
   config.max_force_n = 8;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force that a hand gets from the whole chain, by the clock on the wall: the sessions of
+// The force that a hand gets from the whole chain, in real time: the sessions of
 // motor_backends_test.cpp with the threads, sleeps and preemptions of this machine, which virtual
 // time cannot have. Stalls of the loop, calls of the vendor that do not return, failures and
-// reopenings are drawn. A thread beside looks at the motors ten thousand times a second.
+// reopenings are random. Another thread looks at the motors ten thousand times a second.
 //
-// No machine keeps time for its tests. The kernel knows who waits for a processor (schedstat): a
-// promise of time that is broken while one of our threads waited says nothing, and is named, not
-// counted.
+// A machine that runs tests does not keep time. Linux knows who waits for a processor (schedstat):
+// if a promise of time is broken while one of our threads waited, that says nothing about the code;
+// it is reported, but is no failure.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -27,9 +27,9 @@
 namespace stylet::hal {
 namespace {
 
-constexpr double kZeroMs = 25;    // from any fault to no force, as hal/guard/GUARD.md promises
-constexpr double kSlackMs = 1.2;  // a write a millisecond, and the look of this test
-constexpr double kLateMs = 1.5;   // whoever waits longer for a processor is held up by the machine
+constexpr double kZeroMs = 25;    // from any fault to zero force: GUARD.md, R6
+constexpr double kSlackMs = 1.2;  // a write each millisecond, and the interval of looks
+constexpr double kLateMs = 1.5;   // a longer wait for a processor is the machine's stall
 
 double ms(std::int64_t ns) {
   return static_cast<double>(ns) * 1e-6;
@@ -102,7 +102,7 @@ struct Complaint {
 };
 
 // Looks at the motors from outside. The loop's thread announces a force before it gives it, so that
-// whoever sees the force also sees the announcement.
+// this thread never sees a force before its announcement.
 struct Judge {
   explicit Judge(Bench& of) : bench(of) {}
   Bench& bench;
@@ -156,8 +156,8 @@ struct Judge {
     last_n = force;
   }
 
-  // A write may have come just after the look before the one that sees it: it may be as large as
-  // the slew limit allows for the time since the look before that.
+  // A write that this look sees may have come just after the look before. So it may be as large as
+  // the slew limit allows for the time since the look before that one.
   void judge_step(double change, double size, bool wrote) {
     const std::int64_t now_ns = monotonic_now_ns();
     const double passed_ms = before_write_ns == 0 ? 1e9 : ms(now_ns - before_write_ns);
@@ -186,7 +186,7 @@ struct Session {
   double trouble = 0, hand_hz = 1;
   std::int64_t upset_until_ns = 0;
   std::uint32_t arming = 1;
-  bool armed_anew = false;  // but no order has come yet
+  bool armed_anew = false;  // armed again, but no order has come yet
 
   Session(std::uint64_t seed, Kind kind)
       : draw{std::mt19937_64(seed)},
@@ -234,7 +234,7 @@ struct Session {
   }
   static void write(void* self, const Command& command) {
     Session& s = *static_cast<Session*>(self);
-    // Before there was any force, nobody has to acknowledge what is over.
+    // Before there was any force, a fault that is over needs no acknowledgement.
     if (command.arming != s.arming && !s.judge.forced.load()) s.acknowledged();
     s.arming = command.arming;
     // With the next order forces may come again.
@@ -262,7 +262,7 @@ struct Session {
   }
   void stall(std::int64_t until_ns) { monotonic_clock().sleep_until_ns(nullptr, until_ns); }
 
-  // Until the loop's next tick.
+  // Time until the loop's next tick.
   void sleep_until(std::int64_t t_ns) {
     note_fault();
     if (guard().fault != Fault::kNone && draw.chance(0.02) && guard_rearm(guard(), guard().fault)) {
@@ -310,7 +310,7 @@ struct Session {
       run_loop(rig.config, rig.instance->kernel, std::span(&seen, 1), clock, {}, rig.state);
       note_fault();
     }
-    fault();  // the end of a run: gone in time, and for good
+    fault();  // the end of a run: the force ends in time, and for good
     stall(monotonic_now_ns() + draw.ms(30, 60));
   }
 
@@ -335,7 +335,7 @@ struct Session {
 
 class MotorWall : public testing::TestWithParam<Kind> {};
 
-TEST_P(MotorWall, GivesTheHandNothingThatHurts) {
+TEST_P(MotorWall, GivesTheHandNoForceThatTheRulesForbid) {
   if (!Machine::is_known()) GTEST_SKIP() << "no /proc/self/schedstat: who waits cannot be told";
   const int first = number_from("STYLET_MOTOR_FIRST", 1);
   const int count = number_from("STYLET_MOTOR_SESSIONS", 4);
@@ -348,7 +348,7 @@ TEST_P(MotorWall, GivesTheHandNothingThatHurts) {
     const Machine machine;
     Session session(static_cast<std::uint64_t>(first + i), GetParam());
     session.run();
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // a wait is seen when it is over
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // so that waits are over
     const std::vector<Span> stalls = machine.stalls();
     for (const Span& each : stalls) {
       stalled_ms += ms(each.to_ns - each.from_ns);
@@ -363,7 +363,7 @@ TEST_P(MotorWall, GivesTheHandNothingThatHurts) {
       });
       named += machines ? 1 : 0;
       EXPECT_TRUE(machines) << name_of(GetParam()) << " seed " << first + i << ": " << each.what;
-      if (!machines) break;  // the first one says it all
+      if (!machines) break;  // the first one is enough
     }
     strongest_n = std::max(strongest_n, session.judge.strongest_n);
     acknowledgements += session.judge.acknowledgements.load();

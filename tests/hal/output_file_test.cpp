@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writing an output never destroys what it is made from, nor what is not a file.
+// Writing an output never destroys the input it is made from, nor anything that is not a file.
 #include "hal/base/output_file.h"
 
 #include <fcntl.h>
@@ -33,7 +33,7 @@ std::string refusal(const std::string& path, const std::string& input) try {
   return error.what();
 }
 
-TEST(OutputFile, IsNoInputByAnyNameAndNothingButAFile) {
+TEST(OutputFile, MayNotBeAnInputByAnyNameNorAnythingButAFile) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-output-" + std::to_string(getpid()));
   fs::create_directories(folder / "sub");
   const std::string input = folder / "in.h5";
@@ -54,7 +54,7 @@ TEST(OutputFile, IsNoInputByAnyNameAndNothingButAFile) {
   fs::remove_all(folder);
 }
 
-TEST(OutputFile, NamesAreFree) {
+TEST(OutputFile, AFreeNameIsChosen) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-kept-" + std::to_string(getpid()));
   fs::create_directories(folder / "a.b");
   const std::string path = folder / "a.b" / "out.x.h5";
@@ -66,7 +66,7 @@ TEST(OutputFile, NamesAreFree) {
   EXPECT_EQ(free_name({path}), path);
   EXPECT_EQ(kept(path), folder / "a.b" / "out.x-2.h5");
   EXPECT_EQ(numbered(path), folder / "a.b" / "out.x-1.h5");
-  // Names that are taken, too.
+  // Names that are taken as well.
   for (const char* each : {"out.x-1.h5", "out.x-2.h5"}) {
     fs::create_symlink("nowhere", folder / "a.b" / each);
   }
@@ -76,8 +76,8 @@ TEST(OutputFile, NamesAreFree) {
   fs::remove_all(folder);
 }
 
-// Of programs that all chose the same free name and then end together, each keeps its file, and
-// what somebody put there meanwhile stays; on each kind of file system.
+// If several programs choose the same free name and then end together, each keeps its file, and a
+// file that somebody put there meanwhile stays; on each kind of file system.
 TEST(OutputFile, NamesThatAreTakenMeanwhileReplaceNothing) {
   std::mt19937 random(8);
   for (int round = 0; round < 90; ++round) {
@@ -121,7 +121,7 @@ TEST(OutputFile, NamesThatAreTakenMeanwhileReplaceNothing) {
   }
 }
 
-TEST(OutputFile, ANameThatCannotBeHadLeavesTheFile) {
+TEST(OutputFile, ANameThatCannotBeTakenLeavesTheFileUnderItsOwn) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-no-" + std::to_string(getpid()));
   fs::create_directories(folder);
   const std::string mine = folder / "temporary";
@@ -135,8 +135,8 @@ TEST(OutputFile, ANameThatCannotBeHadLeavesTheFile) {
   fs::remove_all(folder);
 }
 
-// What a full disk leaves; a limit on the size of a file stands for it.
-TEST(OutputFile, IsWholeOrNotThereAndFollowsTheUmask) {
+// What a full disk leaves; a limit on file sizes takes its place here.
+TEST(OutputFile, IsWholeOrAbsentAndFollowsTheUmask) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-whole-" + std::to_string(getpid()));
   fs::create_directories(folder);
   const std::string path = folder / "out.json", text(10000, 'x');
@@ -165,7 +165,7 @@ TEST(OutputFile, IsWholeOrNotThereAndFollowsTheUmask) {
   fs::remove_all(folder);
 }
 
-// A link is followed, and what it leads to is judged; nothing takes the place of the link.
+// A link is followed and its target is judged; nothing replaces the link.
 TEST(OutputFile, LinksAreFollowed) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-links-" + std::to_string(getpid()));
   fs::create_directories(folder / "far");
@@ -195,9 +195,9 @@ TEST(OutputFile, LinksAreFollowed) {
   fs::remove_all(folder);
 }
 
-// Names that the system made for what a process has open: to rename a file to one of them would
-// take it from every other program.
-TEST(OutputFile, TheSystemsNamesStay) {
+// Names under which the system shows what a process has open: a file renamed to one of them would
+// replace it for every other program.
+TEST(OutputFile, NamesOfTheSystemAreNotReplaced) {
   const fs::path folder = fs::temp_directory_path() / ("stylet-system-" + std::to_string(getpid()));
   fs::create_directories(folder);
   const int file = ::open((folder / "out").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);

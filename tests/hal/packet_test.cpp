@@ -100,7 +100,7 @@ TEST(Packet, ForceFallsByTheStiffnessRowByRow) {
   }
 }
 
-TEST(Packet, ComesBackAsItWas) {
+TEST(Packet, IsReadAsItWasWritten) {
   ForcePacket out;
   ASSERT_TRUE(decode(encode(some_force()), out));
   EXPECT_EQ(encode(out), encode(some_force()));
@@ -130,7 +130,7 @@ TEST(Packet, ForceFollowsTheModel) {
   const Vec3 beside = force_at(packet, then, {0.105F, 0.205F, 0.3F});
   EXPECT_NEAR(beside.x, 0.5F, 1e-5F);
   EXPECT_NEAR(beside.y, -1, 1e-5F);
-  // Too strong: shortened; too far: nothing.
+  // If too strong, it is shortened; too far away, it is zero.
   const Vec3 strong = force_at(packet, then, {0.1F, 0.2F, 0.281F});
   EXPECT_NEAR(strong.z / strong.x, 5.7F, 1e-2F);
   EXPECT_NEAR(strong.x * strong.x + strong.z * strong.z, 16, 1e-4F);
@@ -145,7 +145,7 @@ TEST(Packet, ForceDiesAtTheEndOfItsLifeAndIsNotThereBeforeItsSample) {
   EXPECT_EQ(force_at(packet, packet.echo_t_ns - 1, at_m).x, 0);
 }
 
-TEST(Packet, NoTimeIsTooFarAwayToBeJudged) {
+TEST(Packet, AnyTimesCanBeCompared) {
   ForcePacket packet = some_force();
   constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
@@ -174,7 +174,7 @@ TEST(Packet, AnObeyedForceFadesInTheSecondHalfOfItsLifeAndStaysAway) {
   packet.seq = 8;
   packet.life_ns = kForceLifeNs + 1;
   EXPECT_FALSE(obey(obeyed, packet, then)) << "lives too long";
-  // The newest force is over when the next one comes, although nobody looked meanwhile.
+  // The newest force is over when the next one comes, even if nobody asked for it meanwhile.
   packet.life_ns = life;
   packet.echo_t_ns = then + 2 * life;
   EXPECT_TRUE(obey(obeyed, packet, then + 2 * life));
@@ -212,7 +212,7 @@ TEST(Packet, AnotherVersionIsRefusedAndNamed) {
   EXPECT_EQ(packet_version(std::span(bytes).first(5)), 0);
 }
 
-TEST(Packet, WhatIsNotANumberGivesNoForce) {
+TEST(Packet, ValuesThatAreNotFiniteGiveNoForce) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInf = std::numeric_limits<float>::infinity();
   for (const float bad : {kNan, kInf, -kInf}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A paused loop: no bit of the kernel changes, nothing is recorded, the guard goes on, and a hand
+// A paused loop: no bit of the kernel changes, nothing is recorded, the guard goes on, and the hand
 // feels its force fade and come back.
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ float size(Vec3 v) {
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-TEST(Pause, AScriptGoesOnAsIfNothingHadBeen) {
+TEST(Pause, AScriptGoesOnAsIfThereHadBeenNoPause) {
   Rig plain, held;
   plain.config.hand[0].scripted = held.config.hand[0].scripted = true;
   const auto expected = run(plain, plain.device(), 0, 0);
@@ -80,8 +80,8 @@ TEST(Pause, AHandFeelsTheForceFadeAndTheNeedleWaits) {
   rig.config.hand[0].grip.enabled = true;
   Listening hand = {rig.device(), {}, {}};
   const auto records = run(rig, hand.as_device(), 150, 300);
-  ASSERT_EQ(records.size(), rig.config.ticks);  // nothing of the pause is in it
-  // The force that there is at the end fades, too.
+  ASSERT_EQ(records.size(), rig.config.ticks);  // without the ticks of the pause
+  // The force at the end of the run fades, too.
   ASSERT_GT(hand.written.size(), rig.config.ticks + 150);
   ASSERT_LE(hand.written.size(), rig.config.ticks + 150 + 21);
   EXPECT_EQ(size(hand.written.back()), 0);
@@ -93,22 +93,21 @@ TEST(Pause, AHandFeelsTheForceFadeAndTheNeedleWaits) {
     const Vec3 a = hand.written[i - 1], b = hand.written[i];
     EXPECT_LE(size({b.x - a.x, b.y - a.y, b.z - a.z}), most_n) << i;
   }
-  // The hand went on meanwhile; the needle goes on from where it was.
+  // The hand moved meanwhile; the needle goes on from where it was.
   const Vec3 before = records[149].input.handle.position_m;
   const Vec3 after = records[150].input.handle.position_m;
   EXPECT_LT(size({after.x - before.x, after.y - before.y, after.z - before.z}), 2e-4F);
   EXPECT_EQ(rig.state.hand[0].guard.counters.samples_used, rig.config.ticks + 150);
 }
 
-TEST(Pause, TheGuardLatchesAndIsRearmedMeanwhile) {
+TEST(Pause, TheGuardLatchesAndIsRearmedDuringIt) {
   Rig rig;
   rig.config.hand[0].grip.enabled = true;
   Listening hand = {rig.device(), {}, std::vector<bool>(210, true)};
   for (std::size_t i = 200; i < 210; ++i) hand.answers[i] = false;
   Pauses pauses = {{}, &rig.state, 150, 400};
   const Device device = hand.as_device();
-  // Somebody has seen the fault: the acknowledgement is repeated, and counts once the fault is
-  // latched.
+  // Somebody acknowledges again and again, which counts as soon as the fault is latched.
   struct Asks {
     Pauses* pauses;
     static std::int64_t now(void* self) { return Pauses::now(static_cast<Asks*>(self)->pauses); }

@@ -17,7 +17,7 @@ namespace {
 class PeerBench : public Bench {
  public:
   PeerBench(std::string uri_text, Link (*connect)()) : uri_(std::move(uri_text)) {
-    latches = false;  // the guard latches; the peer's forces die of age
+    latches = false;  // only the guard latches; the peer's forces end by age
     thread_ = std::thread([this, connect] { run(connect); });
   }
   ~PeerBench() override {
@@ -44,7 +44,7 @@ class PeerBench : public Bench {
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
 
  private:
-  // Of the shared memory; 0: there is none, as with UDP.
+  // The shared memory's number; 0: there is none, as with UDP.
   static ino_t memory() {
     struct stat there = {};
     return stat(("/dev/shm/stylet.test" + test_port()).c_str(), &there) == 0 ? there.st_ino : 0;
@@ -53,8 +53,8 @@ class PeerBench : public Bench {
     Link link = {};
     ino_t mine = 0;
     while (!stop_) {
-      if (link.self != nullptr && memory() != mine) {  // that run is over, or another has begun
-        exchange(link);                                // its last word stays to be read
+      if (link.self != nullptr && memory() != mine) {  // the run is over, or another has begun
+        exchange(link);                                // its last packet stays to be read
         link.close(link.self);
         link = {};
       }

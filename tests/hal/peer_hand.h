@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs at the other end of a link, for sessions in virtual time: one that keeps the rules of
-// hal/device/packets.md, and a station with a device of its own; and the disturbances between.
+// hal/device/packets.md, and a station with a device of its own; and the disturbances between them
+// and Stylet.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 
 namespace stylet::hal {
 
-// Loses, delays and reorders, and stands still at times.
+// A network that loses, delays and reorders packets, and stands still at times.
 struct Weather {
   Link inner;
   Draw draw;
@@ -80,7 +81,7 @@ struct Weather {
   }
 };
 
-// The four rules.
+// The four rules of packets.md.
 class PeerHand {
  public:
   static constexpr float kMostN = 3;
@@ -120,7 +121,7 @@ class PeerHand {
     ForcePacket packet;
     while (const auto got = link.receive(link.self, room)) {
       if (!decode(std::span(room).first(*got), packet)) continue;
-      // Hands of these sessions are on one axis, except for samples that nobody should use.
+      // Hands of these sessions move along one axis, except in samples that must not be used.
       const Vec3 place = packet.model.at_m;
       strange_place |= place.x != 0 || place.y != 0 || !std::isfinite(place.z);
       (void)obey(obeyed_, packet, now_ns);
@@ -171,7 +172,7 @@ class PeerHand {
   std::thread thread_;
 };
 
-// `stylet station` around a device of its own.
+// `stylet station` with a device of its own.
 class StationHand {
  public:
   StationHand(Weather weather, Stalls own, const Device& device)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is particular to a peer. On a real socket: what it says of itself, and which senders are not
-// it. In virtual time: what becomes of its clock and its packets.
+// What is special about a peer. On a real socket: what it says of itself, and packets of other
+// senders. In virtual time: how its clock and its packets are judged.
 #include "hal/device/drivers/peer.h"
 
 #include <deque>
@@ -57,7 +57,7 @@ DeviceInfo info_told(const RenderLimits& limits) {
   return device.info;
 }
 
-TEST(Peer, LimitsAreThoseItTellsAndNonsenseIsNotBelieved) {
+TEST(Peer, LimitsAreThoseItReportsAndNonsenseIsIgnored) {
   const DeviceInfo touch = info_told({3.3F, 400, 0.88F, 0.05F});
   EXPECT_EQ(touch.max_force_n, 3.3F);
   EXPECT_EQ(touch.max_stiffness_n_per_m, 400);
@@ -83,7 +83,7 @@ TEST(Peer, LimitsAreThoseItTellsAndNonsenseIsNotBelieved) {
   }
 }
 
-TEST(Peer, NobodyAndAnotherVersionAreToldApart) {
+TEST(Peer, SilenceAndAnotherVersionHaveDifferentMessages) {
   const auto refusal = [](double patience_s) {
     try {
       const Device device = open_device("udp:" + here(), patience_s);
@@ -100,7 +100,7 @@ TEST(Peer, NobodyAndAnotherVersionAreToldApart) {
   EXPECT_NE(refusal(0.3).find("packets of version 2 came: expected version 3"), std::string::npos);
 }
 
-TEST(Peer, ZeroIsNoPort) {
+TEST(Peer, PortZeroIsRefused) {
   try {
     const Device device = open_device("udp:0", 0.01);
     device.close(device.self);
@@ -110,7 +110,7 @@ TEST(Peer, ZeroIsNoPort) {
   }
 }
 
-// A link whose packets are put there by the test, and a clock that the test sets.
+// A link into which the test puts packets, and a clock that the test sets.
 struct Wire {
   std::deque<std::vector<std::byte>> to_us;
   std::vector<ForcePacket> from_us;
@@ -152,10 +152,10 @@ struct Wire {
   }
 };
 
-// Ten minutes of a sender whose clock began elsewhere and runs faster or slower by so much. Every
-// eighth packet takes 0.2 ms, the others up to 7 ms more. The time of a sample is right except for
-// the shortest way and for what the clocks may drift apart until the next short one.
-TEST(Peer, TimeOfASampleIsThatOfItsTakingWhateverTheWay) {
+// Ten minutes of a sender whose clock began at another time and runs faster or slower. Every eighth
+// packet takes 0.2 ms, the others up to 7 ms more. The time of a sample is right, except for the
+// shortest delay and for the drift of the clocks until the next packet with that delay.
+TEST(Peer, TimeOfASampleIsWhenItWasTakenWhateverTheDelay) {
   for (const double drift : {-800e-6, -50e-6, 50e-6, 800e-6}) {
     Wire wire;
     double worst_late_s = 0, worst_early_s = 0;
@@ -168,7 +168,7 @@ TEST(Peer, TimeOfASampleIsThatOfItsTakingWhateverTheWay) {
       ASSERT_TRUE(wire.read(sample));
       ASSERT_EQ(sample.seq, i);
       const double late_s = 1e-9 * static_cast<double>(sample.t_ns - taken_ns);
-      if (i < 16) continue;  // no packet has come the short way
+      if (i < 16) continue;  // no packet with the shortest delay has come
       worst_late_s = std::max(worst_late_s, late_s);
       worst_early_s = std::max(worst_early_s, -late_s);
     }
@@ -177,19 +177,19 @@ TEST(Peer, TimeOfASampleIsThatOfItsTakingWhateverTheWay) {
   }
 }
 
-// A peer of 1 kHz whose samples and forces take their time on the way, in one thread.
+// A peer of 1 kHz in the same thread, whose samples and forces are delayed on the way.
 struct Walk {
   Wire wire;
   std::mt19937_64 random;
   bool echoes = true;
-  std::int64_t clock_ns = 0;                              // hers less ours
-  std::int64_t way_ns = 200'000, more_ns = 1'500'000;     // there, or back
-  std::deque<std::pair<std::int64_t, SamplePacket>> out;  // when they come
+  std::int64_t clock_ns = 0;                              // the peer's clock less ours
+  std::int64_t way_ns = 200'000, more_ns = 1'500'000;     // delay each way
+  std::deque<std::pair<std::int64_t, SamplePacket>> out;  // time of arrival
   std::deque<std::pair<std::int64_t, std::uint64_t>> back;
-  std::deque<std::int64_t> taken_ns;  // by number
-  std::uint64_t seen = 0;             // the newest force she has
+  std::deque<std::int64_t> taken_ns;  // time of each sample, by its number
+  std::uint64_t seen = 0;             // the newest force that the peer has
   std::int64_t t_ns = 1'000'000'000'000;
-  double worst_late_s = 0, worst_early_s = 0;  // of what was told this tick
+  double worst_late_s = 0, worst_early_s = 0;  // of the samples of this tick
 
   explicit Walk(std::uint64_t seed) : random(seed) {}
   std::int64_t draw(std::int64_t most) {
@@ -233,13 +233,13 @@ struct Walk {
   }
 };
 
-constexpr double kWayS = 2.7e-3;  // the longest of these, until the next look
-// An error that no packet can show: one way there and back, and the slack that peers are allowed.
+constexpr double kWayS = 2.7e-3;  // the longest delay, and the time until the next look
+// An error that no packet can show: the delay there and back, and the slack that peers are allowed.
 constexpr double kHiddenS = 2 * kWayS + 1e-9 * static_cast<double>(kClockSlackNs);
 
-// Clocks are set by a millisecond to a day, to and fro, with an echo and without. Nothing is ever
-// taken as younger than it is, and after the time that is named nothing as older.
-TEST(Peer, AClockThatIsSetIsRecognisedInItsTime) {
+// Clocks are set by a millisecond to a day, to and fro, with an echo and without. No sample is ever
+// taken for younger than it is, and after the promised time none for older.
+TEST(Peer, AClockThatIsSetIsRecognisedWithinThePromisedTime) {
   std::mt19937_64 random(4);
   for (int round = 0; round < 60; ++round) {
     Walk walk(random());
@@ -261,8 +261,8 @@ TEST(Peer, AClockThatIsSetIsRecognisedInItsTime) {
   }
 }
 
-// One sample whose time lies ahead, by a bit or by hours.
-TEST(Peer, OneTimeThatLiesAheadEndsNothing) {
+// A single sample has a time in the future, by little or by hours.
+TEST(Peer, OneSampleFromTheFutureDoesNoHarm) {
   for (const bool echoes : {true, false}) {
     for (const double ahead_s : {0.02, 10.0, 40'000.0}) {
       Walk walk(9);
@@ -280,8 +280,8 @@ TEST(Peer, OneTimeThatLiesAheadEndsNothing) {
   }
 }
 
-// A network holds everything up for seconds, in any order: what is old stays old.
-TEST(Peer, WhatTheNetworkHoldsUpIsNeverFresh) {
+// A network holds everything up for seconds, in any order: old samples stay old.
+TEST(Peer, ASampleThatTheNetworkHeldUpIsNeverFresh) {
   std::mt19937_64 random(5);
   for (int round = 0; round < 40; ++round) {
     Walk walk(random());
@@ -290,7 +290,7 @@ TEST(Peer, WhatTheNetworkHoldsUpIsNeverFresh) {
     walk.way_ns = walk.draw(400'000'000);
     walk.more_ns = 1'500'000 + walk.draw(100'000'000);
     for (int i = 0; i < 3000; ++i) {
-      if (i == 2000) walk.way_ns = 200'000;  // and what was held up comes at once
+      if (i == 2000) walk.way_ns = 200'000;  // all that was held up now comes at once
       const bool came = walk.tick();
       ASSERT_TRUE(!came || walk.worst_late_s <= kWayS) << round << " " << i;
     }
@@ -298,7 +298,7 @@ TEST(Peer, WhatTheNetworkHoldsUpIsNeverFresh) {
   }
 }
 
-TEST(Peer, NumbersGoOnOverSessionsAndOldOnesAreNotTakenUp) {
+TEST(Peer, NumbersGoOnOverSessionsAndOldSessionsAreIgnored) {
   Wire wire;
   Sample sample;
   EXPECT_FALSE(wire.read(sample));
@@ -316,20 +316,20 @@ TEST(Peer, NumbersGoOnOverSessionsAndOldOnesAreNotTakenUp) {
   EXPECT_EQ(sample.seq, first + 4);
 }
 
-TEST(Peer, LooksAtNoMorePacketsThanItSays) {
+TEST(Peer, ReadsNoMorePacketsInATickThanItsLimit) {
   Wire wire;
   Sample sample;
   wire.come(5, 1, 0);
   ASSERT_TRUE(wire.read(sample));
-  EXPECT_EQ(wire.received, 2);  // the packet, and that there is none
+  EXPECT_EQ(wire.received, 2);  // the packet, and the answer that there is no other
   wire.endless = true;
   wire.come(5, 2, 0);
   ASSERT_TRUE(wire.read(sample));
   EXPECT_EQ(wire.received, 2 + kMostPerRead);
 }
 
-// A packet that is empty or of somebody else does not end the reading of what there is.
-TEST(Peer, WhatIsOfNoUseDoesNotHideTheRest) {
+// A packet that is empty or from another sender does not end the reading.
+TEST(Peer, UselessPacketsDoNotHideOthers) {
   Wire wire;
   Sample sample;
   for (std::uint64_t i = 1; i <= 20; ++i) {
@@ -340,7 +340,7 @@ TEST(Peer, WhatIsOfNoUseDoesNotHideTheRest) {
   }
 }
 
-TEST(Peer, AForceHasItsStiffnessInAllDirectionsAndGoesToNobodyBeforeASample) {
+TEST(Peer, AForceHasItsStiffnessInAllDirectionsAndIsNotSentBeforeASample) {
   Wire wire;
   Command command = {};
   command.force_n = {1, 2, 3};
@@ -390,7 +390,7 @@ TEST(Peer, LastForcesOfAFadeEndWithIt) {
   }
 }
 
-// A station's order ends at a time, also where the station's own device is a peer.
+// A station's order ends at its time, even if the station's own device is a peer.
 TEST(Peer, NoForceOutlivesTheEndOfItsOrder) {
   constexpr std::int64_t kMs = 1'000'000;
   Wire wire;
@@ -408,9 +408,9 @@ TEST(Peer, NoForceOutlivesTheEndOfItsOrder) {
   }
 }
 
-// The guard hears from the hand which force it has; where the hand does not tell, the model says
-// it.
-TEST(Peer, TellsWhatTheHandHasAndThatItEnded) {
+// The hand reports to the guard which force it has; if it does not, the force is taken from the
+// model.
+TEST(Peer, ReportsTheForceThatTheHandHasAndItsEnd) {
   Wire wire;
   Sample sample;
   MotorReport report;
@@ -426,7 +426,7 @@ TEST(Peer, TellsWhatTheHandHasAndThatItEnded) {
     wire.told.arming = arming;
     wire.told.stopped = stopped;
     wire.told.force_n = force_n;
-    wire.told.pose.position_m = {0, -0.01F, 0};  // the spring is drawn by 1 N
+    wire.told.pose.position_m = {0, -0.01F, 0};  // the spring is stretched by 1 N
     wire.now_ns += 1'000'000;
     wire.come(5, wire.peer.newest.seq + 1, wire.now_ns);
     EXPECT_TRUE(wire.read(sample));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves made by formula, so that every number of a phase is known.
+// Curves are made by formulas, so that every number of a phase is known.
 #include "hal/score/phases.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,8 @@ constexpr float kUnitM = 5e-3F;
 constexpr int kContact = 1000, kPuncture = 1800, kLowest = 1820, kHold = 7000, kRetract = 10000,
               kOut = 16000, kEnd = 17000;
 
-// 10 mm/s in from 10 mm outside, puncture 8 mm deep at 0.8 N, 0.01 N/mm, 3 s of rest, and back.
+// 10 mm/s in, from 10 mm outside; a puncture 8 mm deep at 0.8 N; then 0.01 N/mm; 3 s of rest; and
+// back.
 TrackPoint point(int tick) {
   const double travel_mm =
       tick < kRetract ? std::min((tick - kContact) * 0.01, 60.0) : 60 - (tick - kRetract) * 0.01;
@@ -98,8 +99,8 @@ TEST(Phases, NumbersAreThoseOfTheFormula) {
   EXPECT_TRUE(std::isnan(hold.slope_n_per_mm));
 }
 
-// A hand that slows down over half a second, friction that depends on its speed, and a tissue that
-// springs back for a moment after the puncture: the slope is that of the steady part between.
+// The hand slows down over half a second, friction depends on its speed, and the tissue springs
+// back for a moment after the puncture: the slope is that of the steady part in between.
 TEST(Phases, SlopeIsThatOfTheSteadyPart) {
   constexpr double kSlow = 6500, kTicksToSlow = 150;
   std::vector<TrackPoint> track = curve(0, kRetract);
@@ -120,7 +121,7 @@ TEST(Phases, SlopeIsThatOfTheSteadyPart) {
   EXPECT_NEAR(static_cast<double>(rows[3].slope_n_per_mm), 0.01, 1e-4);
 }
 
-TEST(Phases, SlopeOfAQuickInsertionIsThere) {
+TEST(Phases, AQuickInsertionHasASlope) {
   std::vector<TrackPoint> track;
   for (int tick = kLowest; tick < kLowest + 150; ++tick) {
     track.push_back(point(tick));
@@ -159,7 +160,7 @@ TEST(Phases, ShortPausesAreNoHold) {
   EXPECT_EQ(find_phases(track, kPeriodS, kUnitM).size(), 7U);
 }
 
-TEST(Phases, ContactThatLetsGoIsApproachAgain) {
+TEST(Phases, AfterContactIsLostItIsApproachAgain) {
   std::vector<TrackPoint> track = curve(900, 1700);
   for (std::size_t i = 600; i < track.size(); ++i) track[i].phase = Phase::kFree;
   EXPECT_THAT(stages(find_phases(track, kPeriodS, kUnitM)),
@@ -172,7 +173,7 @@ TEST(Phases, GrazingTheSurfaceOnTheWayOutIsExit) {
   EXPECT_EQ(find_phases(track, kPeriodS, kUnitM).size(), 7U);
 }
 
-TEST(Phases, AnyPieceOfACurveIsFine) {
+TEST(Phases, AnyPieceOfACurveIsAccepted) {
   EXPECT_TRUE(find_phases({}, kPeriodS, kUnitM).empty());
   for (int begin = 0; begin < kEnd; begin += 613) {
     for (const int length : {1, 2, 30, 700}) {
@@ -205,7 +206,7 @@ PhaseRow from_to(float start_n, float end_n) {
   return row;
 }
 
-TEST(Phases, AForceThatFallsHasAShareAndNoOther) {
+TEST(Phases, OnlyAForceThatFallsHasAFraction) {
   EXPECT_NEAR(fallen_share(from_to(0.8F, 0.6F)).value_or(-1), 0.25, 1e-6);
   EXPECT_NEAR(fallen_share(from_to(-2, -0.5F)).value_or(-1), 0.75, 1e-6);
   EXPECT_EQ(fallen_share(from_to(1, 0)), 1);
@@ -217,8 +218,8 @@ TEST(Phases, AForceThatFallsHasAShareAndNoOther) {
   EXPECT_EQ(fallen_share(from_to(1, NAN)), std::nullopt);
 }
 
-// Recordings of hands that do anything: rows without gaps, and no fraction outside 0 to 1.
-TEST(Phases, RandomRecordingsHaveWholeRowsAndSharesWithinTheirBounds) {
+// Recordings of hands that do anything have rows without gaps, and no fraction outside 0 to 1.
+TEST(Phases, RandomRecordingsHaveWholeRowsAndFractionsWithinTheirBounds) {
   std::mt19937 random(31);
   const auto between = [&random](double low, double high) {
     return low + (high - low) * static_cast<double>(random() % 10'001) * 1e-4;

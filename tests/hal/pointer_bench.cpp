@@ -12,7 +12,7 @@ namespace {
 class Page : public Bench {
  public:
   Page() {
-    places = feels = fails = false;  // it counts the way from the first post on
+    places = feels = fails = false;  // it measures the way since the first post
     pointer_serve(true);
     thread_ = std::thread([this] { post(); });
   }

@@ -89,7 +89,7 @@ TEST_F(PointerTest, FollowsAnUnevenPageEvenly) {
     if (i > 200) slowest = std::min(slowest, step_m * 1e3);
     if (i > 200) fastest = std::max(fastest, step_m * 1e3);
   }
-  // The mean pause is 20 ms. A hand that moves in steps of 2 mm becomes one that keeps its pace.
+  // The mean pause is 20 ms. A hand that moves in steps of 2 mm becomes a needle of constant speed.
   EXPECT_GT(slowest, 0.06);
   EXPECT_LT(fastest, 0.14);
   EXPECT_NEAR(depth_mm(), 100 - 0.1e3 * (2 * kPointerFollowS + 0.01), 2.5);
@@ -97,7 +97,7 @@ TEST_F(PointerTest, FollowsAnUnevenPageEvenly) {
   EXPECT_NEAR(depth_mm(), 0.1 * 999, 3.3);  // the newest post
 }
 
-TEST_F(PointerTest, ComesToRestWhereItWasSent) {
+TEST_F(PointerTest, ComesToRestAtThePostedPosition) {
   ASSERT_TRUE(pointer_post(0, inward(0), 0));
   ticks(1);
   ASSERT_TRUE(pointer_post(0, inward(20), 0));
@@ -110,11 +110,11 @@ TEST_F(PointerTest, ComesToRestWhereItWasSent) {
   EXPECT_LE(furthest, 20.001);  // no overshoot
 }
 
-TEST_F(PointerTest, LeapIsNoLeapOfTheNeedle) {
+TEST_F(PointerTest, ALeapOfThePointerIsNoLeapOfTheNeedle) {
   ASSERT_TRUE(pointer_post(0, inward(-1000), 0));
   ticks(1);
   ASSERT_TRUE(pointer_post(0, inward(1000), 0));
-  ticks(500);  // each of them within the speed
+  ticks(500);  // each tick within the largest speed
   EXPECT_NEAR(depth_mm(), 1e3 * kPointerSpeedMPerS * 0.5, 15);
 }
 
@@ -159,7 +159,7 @@ TEST_F(PointerTest, SilenceEndsTheAnswerAndTheGuardSeesIt) {
   EXPECT_EQ(state.fault, Fault::kDeviceSilent);
   for (int i = 0; i < 1000; ++i) EXPECT_FALSE(guarded());
 
-  // The hand comes back somewhere else: the needle is taken up where it is, once somebody has
+  // The hand comes back somewhere else: it takes up the needle where that is, once somebody has
   // acknowledged.
   ASSERT_TRUE(pointer_post(0, inward(-300), 0));
   ASSERT_TRUE(guarded());
@@ -171,7 +171,7 @@ TEST_F(PointerTest, SilenceEndsTheAnswerAndTheGuardSeesIt) {
   EXPECT_EQ(state.fault, Fault::kNone);
 }
 
-TEST_F(PointerTest, APointerAtRestStaysAsLongAsItsPageDoes) {
+TEST_F(PointerTest, APointerAtRestAnswersAsLongAsItsPageDoes) {
   pointer_stay();  // nothing was posted yet
   ASSERT_TRUE(pointer_post(0, inward(0), 0));
   ticks(1);
@@ -183,7 +183,7 @@ TEST_F(PointerTest, APointerAtRestStaysAsLongAsItsPageDoes) {
   EXPECT_NEAR(depth_mm(), 10, 1e-3);
   EXPECT_EQ(sample.buttons, 3U);
   pointer_leave(0);
-  pointer_stay();  // does not bring back who has gone
+  pointer_stay();  // does not bring back a page that has gone
   EXPECT_FALSE(tick());
 }
 
@@ -194,7 +194,7 @@ TEST_F(PointerTest, BetweenAttemptsThePointerMayGoAnywhere) {
   ticks(450);
   const Sample end = sample;
   now_ns += 3'000'000'000;
-  ASSERT_TRUE(pointer_post(0, inward(0), 0));  // as a page that begins anew
+  ASSERT_TRUE(pointer_post(0, inward(0), 0));  // as a page that starts again
   ticks(300);
   EXPECT_EQ(size(minus(sample.pose.position_m, end.pose.position_m)), 0);
   EXPECT_NEAR(sample.pose.rotation.z, end.pose.rotation.z, 1e-6);
@@ -203,7 +203,7 @@ TEST_F(PointerTest, BetweenAttemptsThePointerMayGoAnywhere) {
   EXPECT_NEAR(depth_mm(), 35, 0.01);
 }
 
-TEST_F(PointerTest, LeavingIsSilenceAtOnceAndAnotherPageTakesUp) {
+TEST_F(PointerTest, LeavingIsSilenceAtOnceAndAnotherPageTakesOver) {
   ASSERT_TRUE(pointer_post(0, inward(0), 0));
   ticks(1);
   ASSERT_TRUE(pointer_post(0, inward(30), 0));
@@ -214,14 +214,14 @@ TEST_F(PointerTest, LeavingIsSilenceAtOnceAndAnotherPageTakesUp) {
   ASSERT_TRUE(pointer_post(0, inward(0), 0));
   ticks(300);
   EXPECT_NEAR(depth_mm(), 30, 1e-2);
-  // Another page within one tick: its zero is not the first one's.
+  // Another page takes over within one tick: its origin is not that of the first page.
   pointer_leave(0);
   ASSERT_TRUE(pointer_post(0, inward(-50), 0));
   ticks(300);
   EXPECT_NEAR(depth_mm(), 30, 1e-2);
 }
 
-TEST_F(PointerTest, WhatIsNoPoseIsRefusedAndChangesNothing) {
+TEST_F(PointerTest, AnInvalidPoseIsRefusedAndChangesNothing) {
   ASSERT_TRUE(pointer_post(0, inward(0), 0));
   ticks(1);
   for (const float bad : {kNan, kInfinity, -kInfinity, 2.01F, 3e38F}) {
@@ -270,7 +270,7 @@ TEST_F(PointerTest, ManyThreadsMayPost) {
   for (int page = 0; page < 4; ++page) {
     pages.emplace_back([page, &begun] {
       for (int i = 0; i < 20000; ++i) {
-        // Only whole posts are taken: the rotation says which place belongs to it.
+        // Only whole posts are taken: each rotation belongs to one position.
         const bool up = (page + i) % 2 == 0;
         EXPECT_TRUE(pointer_post(0, up ? Pose{{1, 1, 1}, kUpright} : Pose{{}, {0, 1, 0, 0}},
                                  up ? 0xffffffffU : 0U));
@@ -279,7 +279,7 @@ TEST_F(PointerTest, ManyThreadsMayPost) {
     });
   }
   while (!begun) std::this_thread::yield();
-  ticks(490);  // less than the half second after which a page is gone, wherever the threads are
+  ticks(490);  // less than the half second after which a page is gone
   for (std::thread& page : pages) page.join();
 }
 

@@ -89,8 +89,8 @@ std::string refusal(const std::string& path) {
   return "not refused";
 }
 
-TEST_F(RecordingTest, EveryBitComesBack) {
-  const auto records = any_records(10'000);  // more than two chunks, and not a whole number of them
+TEST_F(RecordingTest, EveryBitIsReadBack) {
+  const auto records = any_records(10'000);  // more than two chunks, and no whole number of chunks
   const std::vector<Event> events = {{1, EventKind::kContact, 0, 0, 0.5F, 0, 0},
                                      {99, EventKind::kPuncture, 1, 0.25F, -1, 1, 0}};
   {
@@ -127,7 +127,7 @@ TEST_F(RecordingTest, EveryBitComesBack) {
   EXPECT_TRUE(same(event_columns(), &events[1], &events_back[1]));
 }
 
-// What is recorded of a struct comes back bit for bit: filled with bytes that are all different.
+// The recorded fields of a struct are read back bit for bit; its bytes are all different.
 template <typename T>
 T with_bytes(unsigned char first) {
   T value;
@@ -136,7 +136,7 @@ T with_bytes(unsigned char first) {
   return value;
 }
 
-TEST_F(RecordingTest, NeedlesObstaclesAndBreathingComeBack) {
+TEST_F(RecordingTest, NeedlesObstaclesAndBreathingAreReadBack) {
   RecordingInfo info = some_info();
   info.config.needle_count = 2;
   info.config.needle[0] = with_bytes<NeedleConfig>(1);
@@ -175,7 +175,7 @@ TEST_F(RecordingTest, NeedlesObstaclesAndBreathingComeBack) {
   }
 }
 
-TEST_F(RecordingTest, MarksComeBackAndNoneIsNone) {
+TEST_F(RecordingTest, MarksAreReadBackAlsoWhenThereAreNone) {
   const std::vector<Mark> marks = {{7, "too fast"}, {7, "tab\there, \xc3\xa9t\xc3\xa9"}, {900, ""}};
   for (const std::span<const Mark> kept : {std::span(marks), std::span<const Mark>()}) {
     RecordingWriter writer(path(), {});
@@ -189,8 +189,8 @@ TEST_F(RecordingTest, MarksComeBackAndNoneIsNone) {
   }
 }
 
-// A line break in a mark would make the next line one without a tick.
-TEST_F(RecordingTest, MarksThatAreNoneAreRefused) {
+// A line break in a mark would begin a line without a tick.
+TEST_F(RecordingTest, InvalidMarksAreRefused) {
   const std::vector<Mark> marks = {{7, "good"}, {8, "two\nlines"}};
   RecordingWriter writer(path(), {});
   writer.finish(0, 0, marks);
@@ -214,7 +214,7 @@ TEST_F(RecordingTest, AnOlderFormatIsRefusedByItsNumber) {
   EXPECT_THAT(refusal(path()), testing::HasSubstr("r.h5: format_version: 1: expected 4: make"));
 }
 
-// Whatever gets the name while it records stays; where none is to stay, it is replaced.
+// A file that gets the name while a run records stays; with --force it is replaced.
 TEST_F(RecordingTest, AFileThatComesMeanwhileStays) {
   const auto records = any_records(10);
   for (const Naming naming : {Naming::kKeep, Naming::kNumber, Naming::kReplace}) {
@@ -233,9 +233,9 @@ TEST_F(RecordingTest, AFileThatComesMeanwhileStays) {
   EXPECT_EQ(files(), 4U);
 }
 
-// In a container every process has the same few numbers: what a killed one left stays, and so does
-// what a link there leads to.
-TEST_F(RecordingTest, WhatAnotherProcessOfThisNumberLeftStays) {
+// In containers processes have the same few numbers: what a killed process left stays, and so does
+// the target of a link there.
+TEST_F(RecordingTest, FilesOfAnotherProcessWithThisNumberStay) {
   const std::string begin = path() + "." + std::to_string(getpid()), other = path() + ".other";
   const auto put = [](const std::string& name) { std::ofstream(name) << "precious"; };
   const auto holds = [](const std::string& name) {
@@ -270,7 +270,7 @@ TEST_F(RecordingTest, UnwritableFolderIsNamed) {
   EXPECT_THROW(RecordingWriter("/nowhere/at/all.h5", some_info()), RecordingError);
 }
 
-// A process of its own that writes what it is told and is killed, whatever it is doing. Shared
+// A separate process that writes the given records and is killed, whatever it is doing. Shared
 // memory tells how far it got.
 class Killed {
  public:
@@ -283,8 +283,8 @@ class Killed {
   Killed(const Killed&) = delete;
   Killed& operator=(const Killed&) = delete;
 
-  // Returns how many records had been handed over when it was killed: `wait_us` after `after` of
-  // them had been.
+  // Kills it `wait_us` after it was given `after` records. Returns how many it had been given by
+  // then.
   std::size_t write(const std::string& path, const RecordingInfo& info, std::size_t each,
                     std::size_t after, unsigned wait_us) {
     given_->store(0);
@@ -316,7 +316,7 @@ class Killed {
   std::atomic<std::size_t>* given_;
 };
 
-// Every row that is there is the one that was written, of both needles.
+// Every row in the file is the one that was written, for both needles.
 void expect_rows(const RecordingReader& reader, std::span<const TickRecord> records) {
   std::vector<TickRecord> rows(reader.ticks());
   for (std::uint32_t needle = 0; needle < 2; ++needle) {
@@ -327,7 +327,7 @@ void expect_rows(const RecordingReader& reader, std::span<const TickRecord> reco
   }
 }
 
-// In a process of its own, because what happens at its exit counts too.
+// In a separate process, because its exit is tested too.
 TEST_F(RecordingTest, AFullDiskIsAnErrorAndKeepsWhatWasWhole) {
   RecordingInfo info = some_info();
   info.config.needle_count = 2;
@@ -348,7 +348,7 @@ TEST_F(RecordingTest, AFullDiskIsAnErrorAndKeepsWhatWasWhole) {
     } catch (const RecordingError& error) {
       refused = error.what();
     }
-    // If it could not even begin, nothing is left; else the message says where the rest lies.
+    // If it could not even begin, nothing is left; otherwise the message says where the rest lies.
     const bool told = files() == 0 || (files() == 1 && refused.find(".tmp") != std::string::npos);
     std::exit(!refused.empty() && told ? 3 : 4);
   };
@@ -414,9 +414,9 @@ TEST_F(RecordingTest, ARecordingIsReadWhileItGrows) {
   EXPECT_EQ(RecordingReader(path()).ticks(), 3000U);
 }
 
-// Whoever asks for ticks_kept() as blocks pass is told what a reader finds in the file then: what a
-// user hears of a recorder that was killed.
-TEST_F(RecordingTest, WhatIsKeptIsKnownWhenABlockHasPassed) {
+// While blocks are written, ticks_kept() is the number that a reader finds in the file at that
+// time. It is what a user is told when a recorder was killed.
+TEST_F(RecordingTest, TicksKeptAreKnownAfterEachBlock) {
   const auto records = any_records(3700);
   Ring<TickRecord> ring(4096);
   Ring<Event> events(16);
@@ -435,10 +435,10 @@ TEST_F(RecordingTest, WhatIsKeptIsKnownWhenABlockHasPassed) {
   EXPECT_EQ(most, 3000U);  // blocks of half a second: 1000 ticks
 }
 
-TEST_F(RecordingTest, WhatIsLeftHasAllButItsEnd) {
+TEST_F(RecordingTest, AnUnfinishedOneHasAllButItsEnd) {
   RecordingInfo info = some_info();
   info.config.needle_count = 2;
-  auto records = any_records(2468);  // no whole number of blocks
+  auto records = any_records(2468);  // not a whole number of blocks
   for (std::size_t i = 0; i < records.size(); ++i) records[i].needle = i % 2;
   RecordingWriter writer(path(), info);
   writer.append(std::span(records));
@@ -451,7 +451,7 @@ TEST_F(RecordingTest, WhatIsLeftHasAllButItsEnd) {
   expect_rows(reader, records);
 }
 
-// What a run keeps is bounded, whatever its length, and is the newest part.
+// The snapshots that a run keeps are bounded, whatever its length, and are the newest.
 TEST(Kept, TheNewestStay) {
   std::vector<int> kept;
   bool all = true;
@@ -487,7 +487,8 @@ TEST_F(RecordingTest, CutShortIsRefused) {
   }
 }
 
-// Makes every column with this many rows longer, without numbers, and the count of ticks with them.
+// Makes every column with this many rows longer without writing numbers, and changes the count of
+// ticks accordingly.
 void claim(const std::string& path, std::span<const Column> columns, hsize_t rows,
            std::uint64_t ticks) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
@@ -515,7 +516,7 @@ TEST_F(RecordingTest, RowsThatAreClaimedButNotStoredAreRefused) {
   }
   std::mt19937_64 random(21);
   for (int i = 0; i < 20; ++i) {
-    // Above the 3 chunks of 1000 rows of the ticks, and the one of 64 of the events.
+    // More than the 3 chunks of 1000 rows of the ticks, and the one chunk of 64 rows of the events.
     const hsize_t rows = 3001 + random() % 10'000'000'000;
     fs::copy_file(path(), path("c.h5"), fs::copy_options::overwrite_existing);
     const bool of_events = i % 2 == 0;
@@ -525,13 +526,14 @@ TEST_F(RecordingTest, RowsThatAreClaimedButNotStoredAreRefused) {
                 testing::HasSubstr(std::to_string(rows) + " rows, of which the file holds " +
                                    (of_events ? "64" : "3000")));
   }
-  // Of an unfinished one what is there is read.
+  // Of an unfinished recording the rows that exist are read.
   claim(path(), tick_columns(), 10'000'000'000, 0);
   EXPECT_EQ(RecordingReader(path()).ticks(), 3000U);
 }
 
-// A chunk is unpacked as a whole, whatever is read of it; numbers in other files are not read.
-TEST_F(RecordingTest, ColumnsThatAreStoredInOtherWaysThanWrittenAreBounded) {
+// A chunk is unpacked as a whole, however little of it is read; numbers in other files are not
+// read.
+TEST_F(RecordingTest, ColumnsStoredInAnotherWayThanWrittenAreBounded) {
   const auto with_column = [&](hsize_t chunk_rows, const char* outside) {
     {
       RecordingWriter writer(path(), some_info());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four scenes with a device's own dynamics, each with a bar: the force when the dead man's button
-// is pressed in the tissue, buzzing against bone, loss of the cable, a loop that stalls.
+// Four scenes with a device's own dynamics, each with a bar: the dead man's button is pressed while
+// the needle is in tissue; buzzing against bone; loss of the cable; a loop that stalls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ double size(Vec3 v) {
   return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
 }
 
-// A simulated device of this name in a light grip, in front of bone of 20 N/mm.
+// A simulated device of this model in a light grip, in front of bone of 20 N/mm.
 struct Bench {
   Rig rig;
   std::unique_ptr<KernelInstance> instance;
@@ -28,7 +28,7 @@ struct Bench {
   std::function<bool(std::uint64_t, Sample&)> change = [](std::uint64_t, Sample&) { return true; };
   std::function<void(std::uint64_t)> before_tick = [](std::uint64_t) {};
   std::uint64_t reads = 0;
-  double fastest_m_per_s = 0;  // of the hand since it was last set to zero
+  double fastest_m_per_s = 0;  // largest speed of the hand since this was set to zero
   std::vector<TickRecord> all;
 
   explicit Bench(const char* name, bool coupled = true) {
@@ -127,7 +127,7 @@ TEST(SafetyScenes, BoneAtTheDevicesStiffnessLimitDoesNotBuzz) {
 }
 
 TEST(SafetyScenes, BoneWithoutACouplingBuzzesAndTheGuardEndsIt) {
-  // A Touch is held still by its friction here.
+  // Here a Touch is held still by its friction.
   for (const char* name : {"omega.7", "delta.6"}) {
     Bench bench(name, false);
     const auto records = bench.run();
@@ -136,15 +136,15 @@ TEST(SafetyScenes, BoneWithoutACouplingBuzzesAndTheGuardEndsIt) {
                                       [](const TickRecord& r) { return r.fault != Fault::kNone; });
     for (auto each = latched + 25; each < records.end(); ++each)
       ASSERT_EQ(size(each->command_n), 0);
-    // It is latched as soon as it is seen to last.
+    // The fault is latched as soon as the buzzing has lasted.
     const auto touched = std::find_if(records.begin(), records.end(),
                                       [](const TickRecord& r) { return size(r.command_n) > 0; });
     EXPECT_LT(latched - touched, 700) << name;
   }
 }
 
-// Presses on bone with the button up, then presses the button. Returns the largest speed at which
-// that moves the hand.
+// Pushes against bone with the button released, then presses the button. Returns the largest speed
+// with which that moves the hand.
 double speed_after_arming(float ramp_s, std::vector<TickRecord>& records) {
   Bench bench("touch");
   GuardConfig& guard = bench.rig.config.hand[0].guard;
@@ -170,7 +170,7 @@ TEST(SafetyScenes, ForceAtEngagementIsNoKick) {
     if (i < 999) {
       ASSERT_EQ(size(b), 0) << i;
     }
-    // What the ramp adds in a tick at the largest force, and what the hand's own motion adds.
+    // What the ramp adds in a tick at the largest force, plus what the hand's own motion adds.
     ASSERT_LT(size({b.x - a.x, b.y - a.y, b.z - a.z}), 3.3 / 500 + 400 * 0.055e-3) << i;
   }
   EXPECT_LT(speed, 0.03);
@@ -205,7 +205,7 @@ TEST(SafetyScenes, LossOfTheCableIsZeroInTimeAndStaysSoUntilItIsArmedAgain) {
 
 TEST(SafetyScenes, AStalledLoopDoesNotKick) {
   Bench bench("omega.7");
-  // Drawn back slowly, and pushed in while the loop does not run for 60 ms.
+  // The needle is drawn back slowly, and pushed in while the loop does not run for 60 ms.
   bench.go({{.travel_m = 0.004F, .speed_m_per_s = 0.02F, .hold_s = 0.76F},
             {.travel_m = 0.008F, .speed_m_per_s = 0.1F, .hold_s = 1}});
   bench.before_tick = [&bench](std::uint64_t tick) {
@@ -217,7 +217,7 @@ TEST(SafetyScenes, AStalledLoopDoesNotKick) {
   const auto records = bench.run();
   const double before = size(records[999].command_n);
   EXPECT_GT(before, 0.3);
-  EXPECT_GT(size(records[1003].output.force_n), 1.3 * before);  // the spring was drawn meanwhile
+  EXPECT_GT(size(records[1003].output.force_n), 1.3 * before);  // the spring was stretched
   for (std::size_t i = 1000; i < records.size(); ++i) {
     ASSERT_LE(size(records[i].command_n), before) << i;
     if (i >= 1000 + 20) {
@@ -227,7 +227,8 @@ TEST(SafetyScenes, AStalledLoopDoesNotKick) {
   EXPECT_EQ(records.back().fault, Fault::kTooLate);
 }
 
-// A hand that pushes a drawn needle onto a drawn bone, holds, slides along it, leaves and returns.
+// A hand that pushes a random needle onto a random bone, holds, slides along it, leaves and
+// returns.
 struct DrawnBone {
   Bench bench;
   std::string text;
@@ -254,7 +255,7 @@ struct DrawnBone {
     ObstacleConfig bone;
     make_box(bone, {0.01F, 0.05F, 0.05F});
     bone.pose.position_m = placement.course.entry_m;
-    // The face crosses the needle's way at a drawn depth.
+    // The face crosses the needle's way at a random depth.
     bone.pose.position_m.x += draw(0.002F, 0.008F) + 0.01F / std::cos(tilt_rad);
     const float half = std::sin(tilt_rad / 2);
     bone.pose.rotation = {std::cos(tilt_rad / 2), 0, half * std::cos(roll_rad),
@@ -271,12 +272,13 @@ struct DrawnBone {
     Waypoint along = in, out = in;
     along.right_m = right_m, along.up_m = up_m;
     out.travel_m = -0.001F, out.hold_s = 0.1F;
-    // The hand waits until the force has faded in: what is pressed before pushes the hand back.
+    // The hand waits until the force has faded in; a spring that it compressed before would push it
+    // back.
     Waypoint wait = out, again = along;
     wait.hold_s = 0.6F, again.hold_s = 1.5F;
     bench.go({wait, in, along, out, again});
     bench.rig.config.ticks = script_ticks(bench.rig.hand.script, 1e-3);
-    // The guard as a scene has it that says nothing of it, fitted to the device.
+    // The default guard of a scene, fitted to the device.
     const DeviceModel& model = *find_device_model(name);
     HandConfig& hand = bench.rig.config.hand[0];
     hand.guard = {}, hand.coupling = {};
@@ -295,7 +297,7 @@ struct DrawnBone {
   }
 };
 
-TEST(SafetyScenes, DrawnBonesNeitherFaultTheGuardNorGiveEnergy) {
+TEST(SafetyScenes, RandomBonesNeitherFaultTheGuardNorGiveEnergy) {
   for (const char* name : {"touch", "omega.7"}) {
     std::size_t reached = 0;
     for (std::uint32_t seed = 1; seed <= 10; ++seed) {
@@ -307,7 +309,7 @@ TEST(SafetyScenes, DrawnBonesNeitherFaultTheGuardNorGiveEnergy) {
         return size(r.output.cause.obstacle_n) > 0;
       });
     }
-    EXPECT_GE(reached, 7U) << name;  // a light grip does not push every needle through the tissue
+    EXPECT_GE(reached, 7U) << name;  // a light grip is too weak for some needles
   }
 }
 

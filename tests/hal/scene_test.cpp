@@ -113,11 +113,11 @@ TEST(Scene, InertiaIsChosenByName) {
   EXPECT_EQ(config("inertia = \"true_mass\"").substeps, 1U);
   EXPECT_EQ(config("").substeps, 1U);
   EXPECT_EQ(config("inertia = \"added_mass\"").inertia, Inertia::kAddedMass);
-  EXPECT_EQ(config("inertia = \"added_mass\"").substeps, 2U);  // mass goes with their square
+  EXPECT_EQ(config("inertia = \"added_mass\"").substeps, 2U);  // mass grows with their square
   EXPECT_EQ(config("inertia = \"added_mass\"\nsubsteps = 1").substeps, 1U);
 }
 
-// The tables of a device that is there, in place of the simulated one's.
+// The tables of a real device instead of the simulated one.
 std::string attached(const std::string& device, const std::string& mapping) {
   return changed("[device]\n", "[mapping]\n" + mapping + "[device]\n" + device);
 }
@@ -138,7 +138,7 @@ TEST(Scene, DeviceByUriIsHeldThroughTheMapping) {
   EXPECT_NEAR(of(hand.grip.box_low_m.z), -0.2, 1e-7);
   EXPECT_NEAR(of(hand.grip.box_high_m.y), 0.04, 1e-8);
   EXPECT_NEAR(of(hand.grip.pivot_depth_m), 0.125, 1e-7);  // 5 mm outside, 120 mm long
-  // What the device cannot do, the guard does not let through, and the coupling does not ask.
+  // The guard lets through, and the coupling asks for, no more than the device can do.
   fit_to_device(
       {.name = "", .max_force_n = 3, .max_slew_n_per_s = 1000, .max_stiffness_n_per_m = 400}, hand);
   EXPECT_EQ(hand.guard.max_force_n, 3);
@@ -146,7 +146,7 @@ TEST(Scene, DeviceByUriIsHeldThroughTheMapping) {
   EXPECT_NEAR(of(hand.coupling.stiffness_n_per_m), 0.7 * 400 / (0.5 * 4), 1e-3);
 }
 
-TEST(Scene, WithoutMappingTheSimulatedHandIsTheNeedles) {
+TEST(Scene, WithoutMappingTheSimulatedHandHoldsTheNeedleItself) {
   EXPECT_FALSE(parse_scene(kGood, "s").hands[0].grip.enabled);
   EXPECT_TRUE(parse_scene(attached("", ""), "s").hands[0].grip.enabled);
 }
@@ -169,7 +169,7 @@ struct Mistake {
   const char* to;
   const char* line_with;  // the line that must be named
   const char* says;
-  int up = 0;  // that many lines above it: a missing key is shown at its table
+  int up = 0;  // lines above it: a missing key is reported at its table
 };
 
 // Every mistake names its line and what is allowed.
@@ -325,7 +325,7 @@ TEST(Scene, AModelBringsItsLimitsAndOwnKeysWin) {
   EXPECT_EQ(changed_hand.hand.held_buttons, 2U);
   EXPECT_EQ(changed_hand.guard.thermal_s, 30);
   EXPECT_NEAR(of(changed_hand.guard.max_speed_m_per_s), 0.5, 1e-7);
-  // No device: no budget, only the forces as they are.
+  // Without a device there is no thermal budget, only the forces.
   const Hand none = parse_scene(kGood, "s.toml").hands[0];
   EXPECT_EQ(none.guard.continuous_force_n, none.guard.max_force_n);
   EXPECT_EQ(none.guard.passivity_damping_n_s_per_m, 0);
@@ -337,7 +337,7 @@ TEST(Scene, AnAttachedDeviceLowersItsLimits) {
   DeviceInfo info = {"Touch", 3, 2000, 400};
   fit_to_device(info, hand);
   EXPECT_EQ(hand.guard.max_force_n, 3);
-  EXPECT_EQ(hand.guard.continuous_force_n, 4);  // the scene's, as it does not tell one
+  EXPECT_EQ(hand.guard.continuous_force_n, 4);  // the scene's: the device reports none
   EXPECT_EQ(hand.coupling.max_force_n, 3);
   EXPECT_NEAR(of(hand.coupling.stiffness_n_per_m), 280, 1e-3);
   info.continuous_force_n = 0.88F;
@@ -345,7 +345,7 @@ TEST(Scene, AnAttachedDeviceLowersItsLimits) {
   EXPECT_EQ(hand.guard.continuous_force_n, 0.88F);
 }
 
-// Thresholds are those of the device that was found; a scene's own can only make them stricter.
+// Thresholds are those of the opened device; a scene's own can only make them stricter.
 TEST(Scene, TheGuardsThresholdsAreThoseOfTheOpenedDevice) {
   const DeviceModel& touch = *find_device_model("touch");
   const DeviceInfo info = {.name = "Touch",
@@ -412,8 +412,8 @@ TEST(Scene, MistakesOfWaypoints) {
   });
 }
 
-// EI = E pi (D^4 - d^4) / 64: steel tubes of 200 GPa (four digits), nitinol wires of 75 GPa
-// (three).
+// EI = E pi (D^4 - d^4) / 64, for steel tubes of 200 GPa (four digits) and nitinol wires of 75 GPa
+// (three digits).
 TEST(Scene, GaugesHaveTheirStiffness) {
   const struct {
     const char* gauge;
@@ -434,7 +434,7 @@ TEST(Scene, GaugesHaveTheirStiffness) {
   }
 }
 
-TEST(Scene, NeedlesOfOnesOwn) {
+TEST(Scene, NeedlesWithDimensionsOfTheirOwn) {
   const auto needle = [](const std::string& keys) {
     return parse_scene(changed("gauge = \"22G\"", keys), "s").config.needle[0];
   };
@@ -506,12 +506,12 @@ at_mm = [0, 0, 0]
   EXPECT_NEAR(of(box.stiffness_n_per_m), 15e3, 1e-2);
   EXPECT_NEAR(of(box.largest_force_n), 12, 1e-6);
   EXPECT_NEAR(of(box.friction), 0.1, 1e-7);
-  // About x first: y goes to z; then about z: x goes to y.
+  // First about x: y becomes z; then about z: x becomes y.
   EXPECT_NEAR(of(rotate(box.pose.rotation, {0, 1, 0}).z), 1, 1e-6);
   EXPECT_NEAR(of(rotate(box.pose.rotation, {1, 0, 0}).y), 1, 1e-6);
   EXPECT_EQ(scene.obstacles[1].vertex_count, 1U);
   EXPECT_NEAR(of(scene.obstacles[1].rounding_m), 7e-3, 1e-8);
-  // What is not given is what hal/scene/README.md says, to the bit what hosts have.
+  // Defaults are those of hal/scene/README.md, and to the bit those of the hosts.
   const ObstacleConfig contact;
   EXPECT_EQ(contact.stiffness_n_per_m, 20e3F);
   EXPECT_EQ(contact.largest_force_n, 50);
@@ -690,7 +690,7 @@ TEST(Placement, TipStartsOutsideTheSurfaceAndPointsIn) {
     EXPECT_NEAR(of(needle.x), of(0.15F * d.x), 1e-6);
     EXPECT_NEAR(of(needle.y), of(0.15F * d.y), 1e-6);
     EXPECT_NEAR(of(needle.z), of(0.15F * d.z), 1e-6);
-    // A push of the device along -z goes in; a force of the tissue comes back along +z.
+    // A push of the device along -z moves the needle in; the tissue's force comes back along +z.
     const Pose pushed = to_world(placed.mapping, {{0, 0, -0.02F}, {1, 0, 0, 0}});
     EXPECT_NEAR(of(pushed.position_m.x - start.position_m.x), of(0.02F * d.x), 1e-6);
     EXPECT_NEAR(of(to_device(placed.mapping, {-d.x, -d.y, -d.z}).z), 1, 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attempts made by formula, scored by hand.
+// Attempts are made by formulas, and the expected scores were computed by hand.
 #include "hal/score/score.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kPeriodS = 1e-3;
 constexpr Course kCourse = {{0.1F, 0, 0}, {1, 0, 0}};  // the surface is at x = 100 mm
 
-// One needle's tip, in mm from the surface; in tissue where it is beyond it.
+// The tip of one needle, in mm from the surface; beyond the surface it is in tissue.
 struct DrawnAttempt {
   explicit DrawnAttempt(std::vector<Target> targets = {})
       : scorer(targets, std::vector<Course>{kCourse, kCourse}, kPeriodS) {}
@@ -32,7 +32,7 @@ struct DrawnAttempt {
     record.fault = fault;
     scorer.add(record);
   }
-  // Both ends included, in `steps` equal steps.
+  // In `steps` equal steps, both ends included.
   void go(double from_mm, double to_mm, int steps, double y_mm = 0) {
     for (int i = 0; i <= steps; ++i) at(from_mm + (to_mm - from_mm) * i / steps, y_mm);
   }
@@ -54,7 +54,7 @@ TEST(Score, WayInAirAndInTissue) {
   EXPECT_EQ(score.withdrawals, 1U);
 }
 
-TEST(Score, AWayInStepsBelowTheRulerIsAsLong) {
+TEST(Score, AWayInStepsBelowTheRulerIsEquallyLong) {
   DrawnAttempt attempt;
   attempt.go(0, 20, 20000);
   EXPECT_NEAR(attempt.scorer.score().path_m, 20e-3, 1e-6);
@@ -62,7 +62,7 @@ TEST(Score, AWayInStepsBelowTheRulerIsAsLong) {
   EXPECT_NEAR(attempt.scorer.score().path_m, 40e-3, 2 * kRulerM);
 }
 
-TEST(Score, NoiseBelowTheRulerIsNoWay) {
+TEST(Score, NoiseBelowTheRulerAddsNoWay) {
   DrawnAttempt attempt;
   for (int i = 0; i < 10000; ++i) attempt.at(5, i % 2 == 0 ? 0.02 : -0.02);
   EXPECT_LT(attempt.scorer.score().path_m, 0.05e-3);
@@ -84,7 +84,7 @@ TEST(Score, WithdrawalsAreTurnsOfAMillimetreInTissue) {
   attempt.go(19.1, 30, 50);
   attempt.go(30, 28.9, 11);  // the first
   attempt.go(28.9, 29.5, 6);
-  attempt.go(29.5, 20, 50);  // still the same: it had come in by 0.6 only
+  attempt.go(29.5, 20, 50);  // still the first: it had gone in by only 0.6
   attempt.go(20, 22, 20);
   attempt.go(22, -10, 100);  // the second
   EXPECT_EQ(attempt.scorer.score().withdrawals, 2U);
@@ -95,7 +95,7 @@ TEST(Score, ClosestToTargets) {
   DrawnAttempt attempt({{"tumour", along, 0.0035F, false},
                         {"missed", along, 0.0029F, false},
                         {"vessel", aside, 0.005F, true}});
-  // 25 mm a tick: no tick is nearer than 5 mm to x = 20, but the way passes it by 3 mm.
+  // 25 mm a tick: in no tick is the tip nearer than 5 mm to x = 20, but its way passes at 3 mm.
   attempt.go(-10, 40, 2);
   const Score score = attempt.scorer.score();
   EXPECT_NEAR(score.targets[0].closest_m, 3e-3F, 1e-7F);
@@ -108,7 +108,7 @@ TEST(Score, ClosestToTargets) {
   EXPECT_NEAR(attempt.scorer.score().targets[2].closest_m, 4e-3F, 1e-7F);
 }
 
-// The tip goes past a zone that the shaft then leans on, and stops short of a target beside it.
+// The tip goes past a zone on which the shaft then leans, and stops short of a target beside it.
 TEST(Score, TheShaftTouchesAZoneButReachesNoTarget) {
   const Vec3 beside = {0.105F, 0.004F, 0};
   DrawnAttempt attempt({{"vessel", beside, 0.003F, true}, {"tumour", beside, 0.003F, false}});
@@ -132,7 +132,7 @@ TEST(Score, TheTargetNearestToEitherNeedleCounts) {
 
 TEST(Score, Forces) {
   DrawnAttempt attempt;
-  attempt.at(-1, 0, {0, 0, 4});  // in air: a peak, but not of the mean
+  attempt.at(-1, 0, {0, 0, 4});  // in air: it counts as a peak, but not in the mean
   attempt.at(1, 0, {-3, 4, 0});  // 5 N, 4 of them across
   attempt.at(2, 0, {-1, 0, 0});
   attempt.at(3, 0, {-7, 0, 0});
@@ -170,7 +170,7 @@ TEST(Score, PuncturesAreKeptUpToALimitAndCounted) {
   EXPECT_EQ(score.puncture_count, 1001U);
 }
 
-TEST(Score, OfNothingIsNothing) {
+TEST(Score, OfNoTicksIsZero) {
   const Score score = DrawnAttempt({{"tumour", {}, 1, false}}).scorer.score();
   EXPECT_EQ(score.duration_s, 0);
   EXPECT_EQ(score.mean_force_n, 0);
@@ -178,7 +178,7 @@ TEST(Score, OfNothingIsNothing) {
   EXPECT_FALSE(score.targets[0].reached);
 }
 
-// What a scene with this text is refused for; empty: it is not.
+// Why a scene with this text is refused; empty: it is accepted.
 std::string refusal(const std::string& text) {
   try {
     (void)parse_targets(text, "s.toml");

@@ -14,18 +14,19 @@
 
 namespace stylet::hal {
 
-// As the vendor's service: an inventory at first, then one state for each message. Frames come in
-// pieces with pings between them, every fiftieth answer is cut short, and buttons have either of
-// their names. A silent service keeps the last force until the connection ends. It starts with
+// Behaves as the vendor's service: first an inventory, then one state for each message. Frames come
+// in pieces with pings between them, every fiftieth answer is cut short, and buttons have either of
+// their two names. A silent service keeps the last force until the connection ends. It starts with
 // force gate 0.3 and damping 0.5, and renders 0.8 of a force while its gate is below 1.
 class HaplyService : public Bench {
  public:
-  explicit HaplyService(int clients = 1);  // at a time
+  explicit HaplyService(int clients = 1);  // at the same time
   ~HaplyService() override;
   std::string uri() const override { return uri_with(""); }
   std::string uri_with(const std::string& wishes) const;
   std::string address(const std::string& id = "049D") const;
-  // Sends on the channel of events, to whoever listens, or else to the next one who will.
+  // Sends on the channel of events, to the client that listens or, if there is none, to the next
+  // one.
   void tell(const std::string& event);
   void move(const Pose& pose) override;
   void press(std::uint32_t mask) override;
@@ -33,15 +34,15 @@ class HaplyService : public Bench {
   int writes() override { return messages; }
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
   std::atomic<int> messages{0};
-  std::atomic<int> unasked{0};         // one of so many answers is given twice; 0: none
-  std::atomic<int> cut{50};            // one of so many is cut short
+  std::atomic<int> unasked{0};         // every so many answers one is sent twice; 0: none
+  std::atomic<int> cut{50};            // every so many answers one is cut short
   std::atomic<int> answer_time_us{0};  // from a message to its answer; it reads nothing meanwhile
-  std::atomic<std::uint64_t> most_waiting_bytes{0};  // had come unread when a message was answered
+  std::atomic<std::uint64_t> most_waiting_bytes{0};  // unread at an answer
   std::atomic<bool> lists_ours{true}, grip_awake{true};
-  std::atomic<bool> ours_first{false};          // else after AAAA, which is somewhere else
+  std::atomic<bool> ours_first{false};          // otherwise after AAAA, which is at another place
   std::atomic<bool> other_grip{false};          // lists grip 2 first, awake, with all buttons held
   std::atomic<int> told_others{0};              // commands and settings for others than 049D
-  std::function<void(nlohmann::json&)> change;  // what is sent; set it before it is opened
+  std::function<void(nlohmann::json&)> change;  // set it before a client opens
   std::atomic<double> gate{0.3}, damping{0.5};
 
  private:
@@ -76,8 +77,8 @@ class Spacenavd : public Bench {
   void press(std::uint32_t mask) override;
   Vec3 felt() override { return {}; }
   void trouble(test::Trouble trouble) override { trouble_ = trouble; }
-  // Deflections as the daemon tells them; sent every 8 ms, in two pieces, until others are set. All
-  // zero: nothing is sent.
+  // Deflections as the daemon reports them, sent every 8 ms in two pieces until others are set. If
+  // all are zero, nothing is sent.
   void deflect(const std::array<int, 6>& deflection);
   void unplug();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is particular to services: Haply's and spacenavd.
+// What is special about services: Haply's and spacenavd.
 #include <random>
 
 #include "hal/device/drivers/haply.h"
@@ -38,7 +38,7 @@ TEST(Haply, RefusalsNameWhatIsMissing) {
   EXPECT_EQ(refusal(service.uri()), "opened");
 }
 
-TEST(Haply, DampingIsTheKernelsAndTheGateTheServices) {
+TEST(Haply, DampingIsLeftToTheKernelAndTheGateToTheService) {
   HaplyService service;
   {
     Ticker ticker(service.uri());
@@ -55,7 +55,7 @@ TEST(Haply, DampingIsTheKernelsAndTheGateTheServices) {
   EXPECT_EQ(service.gate, 1);
 }
 
-TEST(Haply, EventsEndTheDeviceByTheirName) {
+TEST(Haply, EventsEndTheDeviceAndAreNamed) {
   HaplyService service;
   const auto trouble_of_event = [&service](Ticker& ticker, const std::string& event) {
     service.tell(event);
@@ -82,8 +82,8 @@ TEST(Haply, EventsEndTheDeviceByTheirName) {
   EXPECT_TRUE(says(gone, "check its cable")) << gone;
 }
 
-// An older service has no such channel.
-TEST(Haply, NoEventsIsNoTrouble) {
+// An older service has no channel of events.
+TEST(Haply, AServiceWithoutEventsIsNoTrouble) {
   HaplyService service;
   Ticker ticker(service.address() + ",events=1");
   EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.usable; }));
@@ -108,7 +108,7 @@ TEST(Haply, GripThatFallsAsleepHoldsNoButton) {
   EXPECT_TRUE(ticker.usable || ticker.tick_until({}, [&] { return ticker.usable; }));
 }
 
-// ---- which device, which grip: by their ids, whatever is listed in whichever order
+// ---- devices and grips are known by their ids, whatever the list and its order
 
 std::string plain(const HaplyService& service) {
   return service.address("");
@@ -144,7 +144,7 @@ TEST(Haply, ComesBackAsTheSameDeviceOrNotAtAll) {
   const auto missing = [&] { return says(trouble_of(ticker.device), "it lists AAAA"); };
   for (int i = 0; i < 5 && !missing(); ++i) (void)ticker.tick_until({}, missing);
   EXPECT_TRUE(missing());
-  service.ours_first = false;  // the other is first now
+  service.ours_first = false;  // now the other device is first
   service.lists_ours = true;
   service.move({{0.01F, 0, 0}, {1, 0, 0, 0}});
   const auto back = [&] { return ticker.usable && ticker.sample.pose.position_m.x == 0.01F; };
@@ -163,8 +163,8 @@ TEST(Haply, ReopensWithTheIdsThatWereOpened) {
   EXPECT_EQ(same_haply(",gate=1,grip=7", "049D,grip=none"), "049D,grip=none,gate=1");
 }
 
-// Nobody can know which grip belongs to whom. So the user is asked, and the other grip's buttons
-// arm nothing.
+// Stylet cannot know which grip belongs to which device. So the user is asked, and the other grip's
+// buttons arm nothing.
 TEST(Haply, OfSeveralGripsOneMustBeNamed) {
   HaplyService service;
   service.other_grip = true;
@@ -186,7 +186,8 @@ TEST(Haply, OfSeveralGripsOneMustBeNamed) {
   {
     Ticker ticker(service.uri_with(",grip=2"));
     EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 7; }));
-    // The grip disappears: nothing counts as held any more, least of all the other grip's buttons.
+    // The grip disappears: no button counts as held any more, and those of the other grip do not
+    // count either.
     service.press(3);
     service.other_grip = false;
     EXPECT_TRUE(ticker.tick_until({}, [&] { return ticker.sample.buttons == 0; }));
@@ -203,7 +204,7 @@ TEST(Haply, OfSeveralGripsOneMustBeNamed) {
   }
 }
 
-// Both belong to this program: what one needle holds no other needle gets.
+// Both needles are in this program: a device that holds one needle is not given to another.
 TEST(Haply, TwoNeedlesShareNeitherDeviceNorGrip) {
   HaplyService service(2);
   service.press(1);
@@ -219,7 +220,7 @@ TEST(Haply, TwoNeedlesShareNeitherDeviceNorGrip) {
   EXPECT_EQ(second.sample.buttons, 0U);
 }
 
-// ---- whatever the service says
+// ---- whatever the service sends
 
 using Json = nlohmann::json;
 
@@ -251,7 +252,7 @@ Json random_value(std::mt19937& random, int depth) {
   }
 }
 
-// Replaces a part of the message, at any depth, by something else.
+// Replaces a part of the message, at any depth.
 void change_a_part(std::mt19937& random, Json& json) {
   Json* at = &json;
   while (at->is_structured() && !at->empty() && random() % 5 != 0) {
@@ -260,7 +261,7 @@ void change_a_part(std::mt19937& random, Json& json) {
   *at = random_value(random, 3);
 }
 
-TEST(Haply, AnyMessageIsTakenAndNoneIsOfAnother) {
+TEST(Haply, AnyMessageIsAcceptedAndNoneOfAnotherDevice) {
   const HaplyIds ids = {"049D", "1"};
   const Json grip = {{"device_id", "1"},
                      {"status", {{"awake", true}}},
@@ -291,7 +292,7 @@ TEST(Haply, AnyMessageIsTakenAndNoneIsOfAnother) {
     HaplyState state;
     take_filters(message, ids, state);
     taken += take_state(message, ids, state) ? 1 : 0;
-    // Nothing is taken from the other device, unless it now calls itself ours.
+    // Nothing is taken from the other device, unless it now has our id.
     const bool still_there = message.dump().find("AAAA") != std::string::npos;
     EXPECT_FALSE(still_there && state.pose.position_m.x == 77);
     for (const std::string& id : listed_devices(message)) {
@@ -304,8 +305,8 @@ TEST(Haply, AnyMessageIsTakenAndNoneIsOfAnother) {
   EXPECT_LT(taken, 19'000);
 }
 
-// The same through the service: nothing ends the program, and nobody else is pushed.
-TEST(Haply, ServiceThatSaysAnythingIsRefusedOrFailsAndEndsNothing) {
+// The same through the service: nothing ends the program, and no other device is given a force.
+TEST(Haply, AServiceThatSendsAnythingIsRefusedOrFailsWithoutEndingTheProgram) {
   HaplyService service;
   std::mt19937 random(21);
   const std::string open_uri = service.uri();
@@ -326,14 +327,14 @@ TEST(Haply, ServiceThatSaysAnythingIsRefusedOrFailsAndEndsNothing) {
   EXPECT_EQ(service.told_others, 0);
 }
 
-TEST(Haply, WhatIsListedIsWhatTheLastWholeMessageLists) {
+TEST(Haply, TheListIsThatOfTheLastWholeMessage) {
   HaplyService service;
   service.cut = 1;
   const std::string refused = refusal(service.address("0000"));
   EXPECT_TRUE(says(refused, "it lists AAAA, 049D")) << refused;
 }
 
-// Messages cut short, pings and pieces were among them.
+// Among the messages were some cut short, pings and pieces.
 TEST(Haply, GoesOnThroughBrokenMessages) {
   HaplyService service;
   Ticker ticker(service.uri());
@@ -341,7 +342,7 @@ TEST(Haply, GoesOnThroughBrokenMessages) {
   EXPECT_TRUE(ticker.answered);
 }
 
-// A service that says more than it is asked does not make samples old.
+// If a service sends more than it is asked for, samples do not become older.
 TEST(Haply, MoreAnswersThanMessagesMakeNoSampleOld) {
   HaplyService service;
   service.unasked = 3;
@@ -359,11 +360,11 @@ TEST(Haply, MoreAnswersThanMessagesMakeNoSampleOld) {
   EXPECT_LT(service.messages - since, 30);
 }
 
-// The worst for a client that takes any message for its answer: a service that is slower than the
-// exchange (0.5 ms) and speaks unasked leaves it no pause in which it could notice how far ahead it
-// is. Counted in messages, which a busy machine does not make more of. A device that is given up
-// (20 ms without an answer) is opened again.
-TEST(Haply, SlowServiceThatSpeaksUnaskedGetsOneForceAtATime) {
+// This is the worst case for a client that takes any message for its answer: a service that is
+// slower than the exchange (0.5 ms) and sends unasked leaves no pause in which the client could
+// notice how far ahead it is. The test counts messages, which do not become more on a busy machine.
+// A device that is given up (20 ms without an answer) is opened again.
+TEST(Haply, SlowServiceThatSendsUnaskedGetsOneForceAtATime) {
   constexpr double kStepM = 1e-6;
   HaplyService service;
   service.answer_time_us = 700;
@@ -382,13 +383,14 @@ TEST(Haply, SlowServiceThatSpeaksUnaskedGetsOneForceAtATime) {
     oldest = std::max(oldest, now - then);
   }
   EXPECT_GT(service.messages, 500);
-  // The message before has its answer when this one comes; but every fiftieth answer is cut short.
+  // When a message comes, the one before has been answered; but every fiftieth answer is cut short.
   EXPECT_LT(oldest, 2.5);
-  // At most a ping waits, which the service reads later; a force has more than a hundred bytes.
+  // At most a ping is waiting, which the service reads later; a force has more than a hundred
+  // bytes.
   EXPECT_LT(service.most_waiting_bytes, 100U);
 }
 
-// One message is answered, and nothing is read any more.
+// The service answers one message, and then reads nothing any more.
 TEST(Haply, ServiceThatAnswersNoPingIsRefused) {
   HaplyService service;
   int said = 0;
@@ -407,7 +409,7 @@ struct Moved {
   Pose pose;
   double seconds;
 };
-// How a deflection moves it, from a good sample to one about 200 ms later.
+// How far a deflection moves it, from a good sample to one about 200 ms later.
 Moved moved_by(const std::array<int, 6>& deflection, bool old_daemon) {
   Spacenavd daemon(old_daemon);
   Ticker ticker(daemon.uri());
@@ -420,7 +422,7 @@ Moved moved_by(const std::array<int, 6>& deflection, bool old_daemon) {
           static_cast<double>(to.t_ns - from.t_ns) * 1e-9};
 }
 
-// Of five tries one is enough: in the others this machine had something else to do.
+// One of five tries is enough: in the others this machine may have been busy.
 bool moves_at(const std::array<int, 6>& deflection, bool old_daemon, Vec3 m_per_s) {
   for (int i = 0; i < 5; ++i) {
     const Moved moved = moved_by(deflection, old_daemon);

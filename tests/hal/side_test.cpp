@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two processes share, when one of them writes nonsense into it.
+// Memory that two processes share, when one of them writes nonsense into it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ bool whole(const Item& each) {
   return std::all_of(each.words, each.words + 5, [&](auto w) { return w == each.words[0]; });
 }
 
-// Room on a cache line with guards on both sides.
+// Memory on a cache line, with guard bytes on both sides.
 struct Room {
   static constexpr std::size_t kGuard = 4096;
   explicit Room(std::size_t bytes) : bytes_(bytes), all(2 * kGuard + bytes + kCacheLine) {
@@ -69,7 +69,7 @@ TEST(SharedRing, TwoSidesKeepOrder) {
   EXPECT_TRUE(room.untouched_around());
 }
 
-TEST(SharedRing, AnyBytesFromTheOtherSideLoseItemsOnly) {
+TEST(SharedRing, AnyBytesFromTheOtherSideOnlyLoseItems) {
   std::mt19937_64 random(28);
   for (int round = 0; round < 2000; ++round) {
     Room room(Ring<Item>::bytes(5));
@@ -86,7 +86,7 @@ TEST(SharedRing, AnyBytesFromTheOtherSideLoseItemsOnly) {
   }
 }
 
-TEST(SharedLatest, AnyBytesFromTheOtherSideAreAnOldItemAtWorst) {
+TEST(SharedLatest, AnyBytesFromTheOtherSideGiveAnOldItemAtWorst) {
   std::mt19937_64 random(28);
   for (int round = 0; round < 2000; ++round) {
     Room room(SharedLatest<Item>::bytes());

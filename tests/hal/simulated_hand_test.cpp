@@ -56,7 +56,7 @@ TEST(SimulatedHand, StepResponseIsTheClosedForm) {
 }
 
 TEST(SimulatedHand, FollowsARampWithoutLag) {
-  // Spring and damper both pull to the target as it moves: at steady speed there is no lag.
+  // Spring and damper both act relative to the moving target: at steady speed there is no lag.
   SimulatedHand hand = resting_hand({});
   hand.script = make_script({Waypoint{.travel_m = 0.06F, .speed_m_per_s = 0.01F}}, 0.01F);
   const Device device = simulated_hand_device(hand, {"hand", 8, 2000});

@@ -61,7 +61,7 @@ void Spacenavd::serve() {
       pollfd wanted = {listener_, POLLIN, 0};
       if (::poll(&wanted, 1, 2) <= 0) continue;
       socket_ = accept(listener_, nullptr, nullptr);
-      if (trouble_ == test::Trouble::kNoAnswer) continue;  // it is closed at once
+      if (trouble_ == test::Trouble::kNoAnswer) continue;  // the connection is closed at once
       std::int32_t greeting = 0;
       EXPECT_EQ(recv(socket_, &greeting, sizeof greeting, MSG_WAITALL), 4);
       EXPECT_EQ(greeting, 0x7faa5501);

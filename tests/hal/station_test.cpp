@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One station by itself, tick by tick: what it takes, how its force fades, what it counts and what
-// it sends.
+// One station by itself, tick by tick: what it accepts, how its force fades, what it counts and
+// what it sends.
 #include "hal/loop/station.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-// A device at rest, and a way for packets without a network.
+// A device at rest, and a link without a network.
 struct Desk {
   StationConfig config = station_config({.name = "a device",
                                          .max_force_n = 3,
@@ -39,7 +39,7 @@ struct Desk {
     const auto bytes = encode(packet);
     coming.push_back({bytes.begin(), bytes.end()});
   }
-  // A model of a force without a slope, which answers a sample of this moment.
+  // A model of a constant force, which answers a sample of this moment.
   ForcePacket model(Vec3 force_n, Vec3 torque_nm = {}) {
     ForcePacket packet;
     packet.seq = ++models;
@@ -83,7 +83,7 @@ struct Desk {
 
 TEST(Station, ModelFadesInOverATenthOfASecondAndOutInTheSecondHalfOfItsLife) {
   Desk desk;
-  for (int round = 0; round < 2; ++round) {  // from zero each time
+  for (int round = 0; round < 2; ++round) {  // each time from zero
     for (int tick = 1; tick <= 120; ++tick) {
       desk.send(desk.model({0, 1, 0}, {0.05F, 0, 0}));
       desk.tick();
@@ -102,9 +102,9 @@ TEST(Station, ModelFadesInOverATenthOfASecondAndOutInTheSecondHalfOfItsLife) {
   }
 }
 
-// A station that stood still for 20 ms does not render what the hand did meanwhile; nor one that
-// loses too many ticks for long.
-TEST(Station, TicksItLosesAreAFault) {
+// A station that stood still for 20 ms does not render what the hand did meanwhile; neither does
+// one that goes on losing too many ticks.
+TEST(Station, LostTicksAreAFault) {
   for (const int lost_ms : {19, 20}) {
     for (const int times : {1, 4}) {
       Desk desk;
@@ -128,16 +128,16 @@ TEST(Station, TicksItLosesAreAFault) {
   }
   Desk slow;
   for (int i = 0; i < 200 && slow.state.guard.fault == Fault::kNone; ++i) {
-    if (i % 2 == 0) slow.now_ns += kMs;  // 1 ms lost, half a one made up for
+    if (i % 2 == 0) slow.now_ns += kMs;  // 1 ms lost, half a millisecond made up for
     slow.send(slow.model({0, 1, 0}));
     slow.tick();
   }
   EXPECT_EQ(slow.state.guard.fault, Fault::kTooLate);
 }
 
-// Also in a fade of the station's own guard, and at its end: the device that renders knows when no
+// Also during and after a fade of the station's own guard, the device that renders knows when no
 // force may be left.
-TEST(Station, WhatItOrdersEndsWithTheModelsLife) {
+TEST(Station, ItsOrdersEndWithTheModelsLife) {
   Desk desk;
   for (int tick = 1; tick <= 120; ++tick) {
     ForcePacket model = desk.model({0, 1, 0});
@@ -167,7 +167,7 @@ TEST(Station, ForceBeyondTheLimitIsCutBeforeItFades) {
   EXPECT_EQ(desk.felt.max_force_n, 3);
 }
 
-TEST(Station, TakesWhatIsNewerAndCountsTheRest) {
+TEST(Station, TakesNewerPacketsAndCountsTheRest) {
   Desk desk;
   const ForcePacket first = desk.model({1, 0, 0}), second = desk.model({2, 0, 0});
   desk.send(second);
@@ -219,16 +219,15 @@ TEST(Station, KeepsToWeakDevicesAndToTheFadeOfAModel) {
   const StationConfig weak = station_config({"a weak one", 0.5F, 100});
   EXPECT_EQ(weak.guard.max_force_n, 0.5F);
   EXPECT_EQ(weak.guard.max_slew_n_per_s, 100);
-  EXPECT_EQ(weak.guard.continuous_force_n, GuardConfig{}.continuous_force_n);  // it does not say
+  EXPECT_EQ(weak.guard.continuous_force_n, GuardConfig{}.continuous_force_n);  // not known
   const StationConfig slow = station_config({"a slow one", 3, 100});
   EXPECT_FLOAT_EQ(slow.guard.max_slew_n_per_s, 300);  // 3 N in 10 ms
   EXPECT_EQ(station_config({"without a limit", 0, 100}).guard.max_force_n,
             GuardConfig{}.max_force_n);
 }
 
-// What the guard refuses is not taken as a place: the force is that at the newest place that
-// counts.
-TEST(Station, ASampleThatIsRefusedDoesNotCutTheForce) {
+// The position of a refused sample is not used: the force is that at the newest position that was.
+TEST(Station, ARefusedSampleDoesNotCutTheForce) {
   Desk desk;
   const auto tick_in = [&desk](float x_m) {
     desk.x_m = x_m;
@@ -250,8 +249,8 @@ TEST(Station, ASampleThatIsRefusedDoesNotCutTheForce) {
   }
 }
 
-// A loop that was late before there was any force: nobody has to acknowledge it.
-TEST(Station, WhatWasLateBeforeAnyForceSendsItsSamplesAgain) {
+// If a loop was late before there was any force, nobody has to acknowledge that.
+TEST(Station, AStationThatWasLateBeforeAnyForceSendsSamplesAgain) {
   Desk desk;
   for (int i = 0; i < 5; ++i) desk.tick();
   desk.answers = false;
@@ -263,7 +262,7 @@ TEST(Station, WhatWasLateBeforeAnyForceSendsItsSamplesAgain) {
   EXPECT_EQ(desk.sent.size(), sent + 5);
 }
 
-// Somebody must have acknowledged on the other machine. Until then the samples say that the force
+// Somebody must acknowledge on the other machine. Until then the samples say that the force has
 // ended.
 TEST(Station, AForceWhoseLifeIsOverComesBackWithANewerArmingOnly) {
   Desk desk;
@@ -290,8 +289,8 @@ TEST(Station, AForceWhoseLifeIsOverComesBackWithANewerArmingOnly) {
   EXPECT_EQ(felt_after(8), 0) << "an older arming is not obeyed, and the newer one's life ends";
 }
 
-// As an outside check forged it: with a life of years, a force was held long after its master had
-// ended.
+// A packet that an independent check forged: with a life of years, a force was held long after its
+// sender had ended.
 TEST(Station, ForcesThatClaimToLiveLongAreRefused) {
   Desk desk;
   for (int i = 0; i < 200; ++i) {

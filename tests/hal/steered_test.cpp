@@ -31,7 +31,7 @@ Steered steered_to(std::vector<Vec3> targets) {
   return steered;
 }
 
-// A tip that moves where it points and turns towards the bevel by `curvature` a metre.
+// A tip that moves where it points, and turns towards the bevel by `curvature` for each metre.
 struct Path {
   Vec3 end;
   double nearest_via_m = 1;
@@ -78,8 +78,8 @@ TEST(Steered, ReachesTargetsAllAroundThatAnUnrolledNeedleMisses) {
   }
 }
 
-// Soft tissue bends the path less than the hand believes, and other needles bend it more.
-TEST(Steered, ForgivesACurvatureThatIsNotWhatItBelieves) {
+// Soft tissue bends the path less than the hand assumes, and other needles bend more.
+TEST(Steered, ToleratesAnotherCurvatureThanItAssumes) {
   for (const double curvature : {5.0, 6.5, 11.0}) {
     const Vec3 target = {0.008F, 0.003F, -kLengthM - 0.1F};
     Steered steered = steered_to({target});
@@ -88,7 +88,8 @@ TEST(Steered, ForgivesACurvatureThatIsNotWhatItBelieves) {
 }
 
 TEST(Steered, PassesAViaPointOnTheWay) {
-  // Feasible: at the via point the tip heads 11 mm further out than the opposite arc brings back.
+  // This is possible: at the via point the tip heads outwards by 11 mm more than the opposite arc
+  // brings back.
   const Vec3 via = {0.004F, 0, -kLengthM - 0.05F}, target = {0, 0, -kLengthM - 0.12F};
   Steered steered = steered_to({via, target});
   const Path path = follow(steered, 8, true, via);
@@ -96,7 +97,7 @@ TEST(Steered, PassesAViaPointOnTheWay) {
   EXPECT_LT(distance(path.end, target), 1.5e-3);
 }
 
-TEST(Steered, StopsAtTheTargetAndRollsNoFasterThanItMay) {
+TEST(Steered, StopsAtTheTargetAndKeepsTheLimitOfRoll) {
   Steered steered = steered_to({{0.01F, 0, -kLengthM - 0.05F}});
   (void)follow(steered, 8, true);
   EXPECT_NEAR(steered.depth_m, 0.05, 2e-3);
@@ -172,7 +173,8 @@ Reached steer_in_tissue(bool rolls) {
           steered.rolls};
 }
 
-// The needle that is not rolled shows the curvature of its path in this tissue: half its own.
+// A needle that is not rolled shows the curvature of the path in this tissue: half of the needle's
+// own.
 TEST(Steered, ReachesATargetInTissueOnlyByRolling) {
   const Reached rolled = steer_in_tissue(true), unrolled = steer_in_tissue(false);
   RecordProperty("miss_um", static_cast<int>(1e6 * rolled.miss_m));

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""stylet_hal is thin: a program with a loop, a guard and a device links the kernel and what every
-Debian has, and nothing of HDF5, Boost, JSON, TOML, OpenSSL, fmt, OpenIGTLink or zlib.
+"""stylet_hal is thin: a program with a loop, a guard and a device links only the kernel and
+libraries that every Debian has, and nothing of HDF5, Boost, JSON, TOML, OpenSSL, fmt, OpenIGTLink
+or zlib.
 
 usage: thin_test.py EXAMPLE LINK_MAP STYLET_HAL ARCHIVE_THAT_NEEDS_MORE ORGAN
 """
@@ -15,12 +16,13 @@ from command import output
 
 EXAMPLE, LINK_MAP, THIN, THICK, ORGAN = sys.argv[1:6]
 
-# The C and C++ libraries, the threads and loader that older glibc has apart, and the kernel's ccd.
+# The C and C++ libraries, those for threads and loading (separate in older glibc), and the kernel's
+# ccd.
 SYSTEM = {"libc", "libm", "libstdc++", "libgcc_s", "libpthread", "libdl", "ld-linux-x86-64",
           "ld-linux-aarch64", "libccd"}
 ARCHIVES = {"libstylet_hal", "libstylet_kernel", "libstylet_organ", "libc", "libgcc",
             "libc_nonshared", "libpthread_nonshared"}
-# By the names of functions, which also shows libraries that are headers only.
+# It searches names of functions, which also finds header-only libraries.
 FOREIGN = re.compile(r"\b(boost|nlohmann|toml|igtl)::|\bH5[A-Z]\w+|\b(EVP|SHA256)_\w+"
                      r"|\b(crc32|inflate|deflate)$", re.M)
 
@@ -42,7 +44,7 @@ class Thin(unittest.TestCase):
 
     def test_calls_no_others(self):
         self.assertEqual(foreign(THIN), set())
-        self.assertTrue(foreign(THICK))  # the search finds what there is
+        self.assertTrue(foreign(THICK))  # the search does find such functions
 
     def test_pushes_a_needle(self):
         seen = re.fullmatch(r"a hand: 45[01] ticks, at most (\d\.\d{3}) N on the hand, none\n",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// TOML that anybody may have written: drawn documents say what they were made of, keys too
-// deep and heads too many are refused in their line, wherever dots, brackets and quotes stand.
+// TOML as anybody may write it: random documents are read as what they were made of; keys that are
+// too deep and headers that are too many are refused with their line, wherever dots, brackets and
+// quotes stand.
 #include "stylet/toml_text.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@
 namespace stylet::test {
 namespace {
 
-// What a walk over the text might take for something else.
+// Text that a simple scan might take for something else.
 struct Quoted {
   const char *written, *meant;
 };
@@ -89,7 +90,7 @@ std::size_t line_refused(const std::string& text, const char* why) {
   return 0;
 }
 
-TEST(TomlText, IsTakenWhateverStandsInQuotesAndComments) {
+TEST(TomlText, IsReadWhateverStandsInQuotesAndComments) {
   Draw draw(1);
   for (int run = 0; run < 300; ++run) {
     std::vector<std::vector<std::size_t>> meant;
@@ -124,8 +125,8 @@ TEST(TomlText, ADeepKeyIsRefusedInItsLine) {
   }
 }
 
-// Before there was a limit these ended in a stack overflow.
-TEST(TomlText, TablesCannotBeMadeSoDeepThatTheirEndOverflowsTheStack) {
+// Before there was a limit, these documents ended in a stack overflow.
+TEST(TomlText, NoTableIsSoDeepThatItsDestructionOverflowsTheStack) {
   std::string key = "a";
   for (int part = 0; part < 300'000; ++part) key += ".a";
   for (const std::string& text : {key + "=1\n", "[" + key + "]\n", "[[" + key + "]]\n",
@@ -139,8 +140,8 @@ TEST(TomlText, TablesCannotBeMadeSoDeepThatTheirEndOverflowsTheStack) {
   EXPECT_EQ(line_refused("a={" + deep + "}", "nested"), 1U);
 }
 
-// Neither plain keys nor lists within lists count.
-TEST(TomlText, SoManyHeadersAndDottedKeysAndNoMore) {
+// Neither plain keys nor nested lists count.
+TEST(TomlText, HeadersAndDottedKeysHaveALimit) {
   Draw draw(3);
   std::string text = "[[a]]\nc = [\n[1], [2.5]]\n";
   std::size_t lines = 3;

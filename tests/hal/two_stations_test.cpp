@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two machines, one tissue: the second hand joins over a network that loses, doubles, reorders and
-// stalls packets. In virtual time, all by a seed, without a socket.
+// stalls packets. In virtual time, determined by a seed, without a socket.
 #include <deque>
 #include <random>
 
@@ -16,7 +16,7 @@ constexpr std::int64_t kMs = 1'000'000;
 struct Weather {
   double loss = 0, twice = 0;
   std::int64_t delay_ns = 0, jitter_ns = 0;      // jitter: out of order
-  std::int64_t stall_from_ns = 0, stall_ns = 0;  // what is sent in the stall comes at its end
+  std::int64_t stall_from_ns = 0, stall_ns = 0;  // packets sent in the stall come at its end
 };
 
 // One direction of the network, on the clock of the test.
@@ -70,7 +70,7 @@ Link link_of(End& end) {
           nullptr, [](void*) {}};
 }
 
-// The second machine's clock has nothing to do with the first's.
+// The second machine's clock is unrelated to the first's.
 constexpr std::int64_t kOtherClockNs = 987'654'321'000;
 
 // A hand at the station pushes the needle of the rig's tissue, over the network.
@@ -85,7 +85,7 @@ struct TwoStations {
   Device hand;
   struct Tick {
     Vec3 force_n;         // on the hand
-    std::int64_t age_ns;  // of the model it comes from: since the sample it answers
+    std::int64_t age_ns;  // age of its model: since the sample that it answers
     Vec3 stylet_n;        // what the first machine's guard let through
     Fault fault;
   };
@@ -155,7 +155,7 @@ TEST(TwoStations, HandFeelsTheTissueOfTheOtherMachine) {
   EXPECT_GT(both.rig.state.events_seen, 0U);
 }
 
-// Set by hand, as the rig's needle asks for hardly any torque.
+// The torque is set here, since the rig's needle asks for hardly any.
 TEST(TwoStations, TorqueOfTheOtherMachineIsRenderedGuardedAndEndsWithTheForce) {
   TwoStations both({.delay_ns = 300'000}, 1);
   const Device device = peer_device(both.peer);
@@ -177,7 +177,8 @@ TEST(TwoStations, TorqueOfTheOtherMachineIsRenderedGuardedAndEndsWithTheForce) {
   EXPECT_EQ(of(both.station.torque_nm), 0);
 }
 
-// Whatever a program of another maker asks for: what the guard cuts off must not outlive its model.
+// Whatever another maker's program asks for, a force that the guard cuts off must not outlive its
+// model.
 TEST(TwoStations, ForceBeyondTheDevicesLimitEndsWithItsModelToo) {
   TwoStations both({.delay_ns = 300'000}, 1);
   both.config = station_config({"a Touch", 3, 100});
@@ -198,8 +199,8 @@ TEST(TwoStations, ForceBeyondTheDevicesLimitEndsWithItsModelToo) {
   }
 }
 
-// A fault of the station shows as silence. Acknowledged there, and then at the first machine, the
-// hand feels again.
+// A fault of the station shows as silence. After it is acknowledged there and then at the first
+// machine, the hand feels again.
 TEST(TwoStations, AcknowledgedFaultOfTheStationLetsItSendAgain) {
   TwoStations both({.delay_ns = 300'000}, 3);
   both.run(700);
@@ -218,8 +219,8 @@ TEST(TwoStations, AcknowledgedFaultOfTheStationLetsItSendAgain) {
   EXPECT_GT(of(both.ticks.back().force_n), 0.05);
 }
 
-// The first machine's limits are those of the session it began with.
-TEST(TwoStations, ADeviceWithOtherLimitsDoesNotTakeThePlaceOfTheFirst) {
+// The first machine keeps the limits of the session with which it began.
+TEST(TwoStations, ADeviceWithOtherLimitsDoesNotReplaceTheFirst) {
   TwoStations both({}, 1);
   both.run(50);
   both.station = station_start(6);
@@ -230,7 +231,7 @@ TEST(TwoStations, ADeviceWithOtherLimitsDoesNotTakeThePlaceOfTheFirst) {
   EXPECT_NE(device.trouble(device.self).find("another device"), std::string::npos);
 }
 
-TEST(TwoStations, StationKeepsToItsDevicesLimitsAndTellsThem) {
+TEST(TwoStations, StationKeepsToItsDevicesLimitsAndReportsThem) {
   const DeviceInfo touch = {.name = "a Touch",
                             .max_force_n = 3,
                             .max_slew_n_per_s = 100,
@@ -270,8 +271,9 @@ TEST(TwoStations, LossReorderAndDuplicatesAreNotFelt) {
   }
 }
 
-// All that is sent in 50 ms comes at once, at their end. Whenever that is, the force is gone when
-// the life of the last packet is over, and does not come back before somebody acknowledges.
+// All packets of 50 ms come at once, at the end of this stall. Whenever it begins, the force is
+// gone when the life of the last packet is over, and does not come back before somebody
+// acknowledges.
 TEST(TwoStations, StallEndsTheForceAndIsLatched) {
   for (int from = 400; from < 900; from += 7) {
     TwoStations both({.loss = 0.05,
@@ -316,11 +318,11 @@ TEST(TwoStations, SampleHeldUpOnTheWayIsOld) {
   EXPECT_NEAR(static_cast<double>(both.now_ns - sample.t_ns), 29e6, 0.5e6);
 }
 
-TEST(TwoStations, NewSessionIsTakenUpWhenTheOldOneIsSilent) {
+TEST(TwoStations, NewSessionIsAcceptedWhenTheOldOneIsSilent) {
   TwoStations both({}, 1);
   both.run(50);
   const std::uint64_t before = both.peer.seq;
-  both.station = station_start(6);  // started anew: its seq begins at 1
+  both.station = station_start(6);  // started again: its seq begins at 1
   both.run(90);
   EXPECT_EQ(both.peer.newest.session, 5U);
   both.run(50);
@@ -328,8 +330,8 @@ TEST(TwoStations, NewSessionIsTakenUpWhenTheOldOneIsSilent) {
   EXPECT_GT(both.peer.seq, before);
 }
 
-// The station's program dies with a force under way: the hand is free when the life of that force
-// is over. The same if the first machine dies.
+// The station's program dies while a force is under way: the hand is free when the life of that
+// force is over. So it is if the first machine dies.
 TEST(TwoStations, EitherMachineMayDie) {
   TwoStations both({.delay_ns = 300'000}, 2);
   both.run(800);

@@ -9,7 +9,7 @@ std::unique_ptr<Bench> hd(const char* uri, int unit) {
   return std::make_unique<VendorBench>("STYLET_LIBHD", STYLET_STANDIN_HD, uri, kOurs, unit);
 }
 std::unique_ptr<Bench> dhd(const char* uri, int unit) {
-  const char* other = std::getenv("STYLET_STANDIN_DHD");  // of another age
+  const char* other = std::getenv("STYLET_STANDIN_DHD");  // of another version
   return std::make_unique<VendorBench>(
       "STYLET_LIBDHD", other != nullptr ? other : STYLET_STANDIN_DHD_NOW, uri, kUserFirst, unit);
 }

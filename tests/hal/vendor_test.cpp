@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is particular to a vendor's library: opening, calibration, warnings, locale, several
+// What is special about a vendor's library: opening, calibration, warnings, locale, several
 // devices.
 #include <dlfcn.h>
 
@@ -79,7 +79,7 @@ TEST_F(OpenHaptics, WarmMotorsAreNoFault) {
   EXPECT_TRUE(ticker.answered);
 }
 
-TEST_F(OpenHaptics, CapabilityIsTheDevicesOwn) {
+TEST_F(OpenHaptics, CapabilityIsThatOfTheDevice) {
   const Ticker ticker("hd:");
   EXPECT_FLOAT_EQ(ticker.device.info.max_force_n, 0.9F * 3.3F);
   EXPECT_FLOAT_EQ(ticker.device.info.max_stiffness_n_per_m, 400);
@@ -87,7 +87,8 @@ TEST_F(OpenHaptics, CapabilityIsTheDevicesOwn) {
   EXPECT_STREQ(ticker.device.info.name, "Stand-in Touch");
 }
 
-// What it does not tell is taken from the smallest of the vendor's devices, never as without limit.
+// What the library does not report is taken from the smallest of the vendor's devices, never as
+// unlimited.
 TEST_F(OpenHaptics, CapabilityThatCannotBeReadIsThatOfTheSmallestDevice) {
   standin(0)->mute = true;
   {
@@ -99,7 +100,7 @@ TEST_F(OpenHaptics, CapabilityThatCannotBeReadIsThatOfTheSmallestDevice) {
   standin(0)->mute = false;
 }
 
-TEST_F(OpenHaptics, UsersLocaleIsKeptAwayFromTheVendorAndGivenBack) {
+TEST_F(OpenHaptics, UsersLocaleIsHiddenFromTheVendorAndRestored) {
   ASSERT_NE(std::setlocale(LC_NUMERIC, "C.UTF-8"), nullptr);
   bench->move({{0.05F, 0, 0}, {1, 0, 0, 0}});
   {
@@ -111,7 +112,7 @@ TEST_F(OpenHaptics, UsersLocaleIsKeptAwayFromTheVendorAndGivenBack) {
   std::setlocale(LC_NUMERIC, "C");
 }
 
-TEST_F(OpenHaptics, NothingForbiddenIsCalled) {
+TEST_F(OpenHaptics, NoForbiddenCallIsMade) {
   standin(0)->forbidden = 0;
   {
     Ticker ticker("hd:");
@@ -120,14 +121,14 @@ TEST_F(OpenHaptics, NothingForbiddenIsCalled) {
   EXPECT_EQ(standin(0)->forbidden.load(), 0);
 }
 
-// A tick that is a little late is no fault. If one is very late, its force has ended when it comes,
-// and the device goes on when somebody has acknowledged.
+// A tick that is a little late is no fault. If a tick is very late, the force has ended when it
+// comes, and the device goes on after an acknowledgement.
 TEST_F(OpenHaptics, LateTicksOfTheVendorsThread) {
   Ticker ticker("hd:", 3e-3F);
   const auto feels = [&] { return size(bench->felt()) > 0.9; };
   ASSERT_TRUE(ticker.tick_until({0, 0, 1}, feels));
   bool survived = false;
-  for (int i = 0; i < 20 && !survived; ++i) {  // this machine may be late by itself
+  for (int i = 0; i < 20 && !survived; ++i) {  // this machine may itself be late
     if (ticker.state.fault != Fault::kNone) (void)guard_rearm(ticker.state, ticker.state.fault);
     const std::uint64_t faults = ticker.state.counters.faults;
     standin(0)->late_ms = 1;
@@ -144,8 +145,8 @@ TEST_F(OpenHaptics, LateTicksOfTheVendorsThread) {
   EXPECT_TRUE(ticker.tick_until({0, 0, 1}, feels));
 }
 
-// What `stylet devices probe --push` sees of a hand of 200 g: it goes where it is pushed. Returns
-// the shortest way that it went in a push.
+// What `stylet devices probe --push` sees with a hand of 200 g: it goes where it is pushed. Returns
+// its shortest way in a push.
 double least_push_m(const std::string& uri) {
   const Device device = open_device(uri);
   const std::atomic<bool> stop{false};
@@ -162,7 +163,7 @@ double least_push_m(const std::string& uri) {
   return static_cast<double>(least);
 }
 
-// Of ten tries one is enough: in the others this machine had something else to do.
+// One of ten tries is enough: in the others this machine may have been busy.
 void expect_pushed_along(const std::string& uri) {
   double best = -1;
   for (int i = 0; i < 10 && best < 2e-3; ++i) best = std::max(best, least_push_m(uri));
@@ -174,12 +175,12 @@ TEST_F(OpenHaptics, AHandGoesWhereItIsPushed) {
   expect_pushed_along("hd:");
 }
 
-// The scheduler stands still while a device is opened: the other device's supervisor must not take
+// The scheduler stands still while a device is opened. The other device's supervisor must not take
 // that for a stall.
-TEST_F(OpenHaptics, OpeningTheSecondLeavesTheFirstItsDevice) {
+TEST_F(OpenHaptics, OpeningTheSecondDoesNotFailTheFirst) {
   Ticker left("hd:Left");
   ASSERT_TRUE(left.tick_until({}, [&] { return left.usable; }));
-  standin(1)->trouble = Trouble::kUncalibrated;  // takes its time
+  standin(1)->trouble = Trouble::kUncalibrated;  // opening takes long
   standin(1)->updates = -2;
   {
     Ticker right("hd:Right");
@@ -190,7 +191,7 @@ TEST_F(OpenHaptics, OpeningTheSecondLeavesTheFirstItsDevice) {
   EXPECT_EQ(trouble_of(left.device), "");
 }
 
-// Either both peers get the same force, or the second one is refused.
+// Each device has its own position and force.
 TEST_F(OpenHaptics, TwoDevicesHaveTheirOwnPlacesAndForces) {
   Ticker left("hd:Left"), right("hd:Right");
   standin(0)->position[0] = 10;
@@ -202,7 +203,7 @@ TEST_F(OpenHaptics, TwoDevicesHaveTheirOwnPlacesAndForces) {
            left.sample.pose.position_m.x == 0.01F && right.sample.pose.position_m.x == 0.02F;
   };
   EXPECT_TRUE(right.tick_until({0, 2, 0}, done));
-  // One breaks: the other goes on.
+  // One device fails, and the other goes on.
   standin(0)->trouble = Trouble::kNoAnswer;
   EXPECT_TRUE(right.tick_until({0, 2, 0}, [&] {
     left.tick({1, 0, 0});
@@ -228,7 +229,7 @@ class Folder {
   const std::string path_ = testing::TempDir() + "names" + std::to_string(getpid());
 };
 
-TEST_F(OpenHaptics, ANameThatIsNotConfiguredIsNoCable) {
+TEST_F(OpenHaptics, ANameThatIsNotConfiguredIsNotReportedAsNoCable) {
   const Folder folder;
   setenv("GTDD_HOME", folder.path_.c_str(), 1);
   EXPECT_TRUE(says(refusal("hd:Nobody"), "no device of any name is configured in"));
@@ -244,7 +245,7 @@ TEST_F(OpenHaptics, ANameThatIsNotConfiguredIsNoCable) {
   unsetenv("GTDD_HOME");
 }
 
-TEST_F(OpenHaptics, AnotherDeviceDoesNotTakeThePlaceOfTheFirst) {
+TEST_F(OpenHaptics, AnotherDeviceDoesNotReplaceTheFirst) {
   standin(0)->serial = "40915001";
   Ticker ticker(open_lasting_device("hd:"), 15e-3F);
   EXPECT_STREQ(ticker.device.info.identity, "40915001");
@@ -263,8 +264,8 @@ TEST_F(OpenHaptics, AnotherDeviceDoesNotTakeThePlaceOfTheFirst) {
   standin(0)->serial = nullptr;
 }
 
-// A guard that is fitted to the opened device, in virtual time. Returns what it latches under this
-// motion and force.
+// A guard that is fitted to the opened device, in virtual time. Returns the fault that it latches
+// under this motion and force.
 Fault fault_under(const DeviceInfo& info, double hz, double way_m, double force_n) {
   const char* strong = "[device]\nmax_force_n = 30\n[guard]\nramp_ms = 0\n";
   Hand hand = parse_scene(strong, "s", 1).hands[0];
@@ -283,13 +284,13 @@ Fault fault_under(const DeviceInfo& info, double hz, double way_m, double force_
 
 struct Told {
   const char* calls_itself;
-  double most_n, stiffness_n_per_mm, always_n;  // as the vendor's library tells; 0: mute
+  double most_n, stiffness_n_per_mm, always_n;  // as the vendor's library reports; 0: nothing
   const char* model;
   double expected_most_n, expected_always_n;
 };
 
-// Numbers of data sheets. A buzz of a tenth of what the device can do is a fault; a smaller one is
-// none.
+// Numbers are from data sheets. A buzz of a tenth of the device's largest force is a fault; a
+// smaller one is not.
 TEST_F(OpenHaptics, EveryModelHasItsOwnThresholds) {
   const Told all[] = {{"Touch", 3.3, 0.4, 0.88, "touch", 3.3, 0.88},
                       {"PHANTOM Omni", 3.3, 0.5, 0.88, "omni", 3.3, 0.88},
@@ -314,7 +315,8 @@ TEST_F(OpenHaptics, EveryModelHasItsOwnThresholds) {
     const double buzz_n = 0.1 * 0.9 * each.expected_most_n;
     EXPECT_EQ(fault_under(info, 40, 0, 1.4 * buzz_n), Fault::kBuzz) << each.calls_itself;
     EXPECT_EQ(fault_under(info, 40, 0, 0.8 * buzz_n), Fault::kNone) << each.calls_itself;
-    // In step with the hand's velocity: each turn makes some mJ, whatever the arm takes up.
+    // The force is in phase with the hand's velocity, so each turn makes some mJ, more than the arm
+    // takes up.
     const double made_n = 0.9 * 0.9 * each.expected_most_n;
     EXPECT_EQ(fault_under(info, 8, 5e-3, made_n), Fault::kEnergy) << each.calls_itself;
     device.close(device.self);
@@ -324,7 +326,7 @@ TEST_F(OpenHaptics, EveryModelHasItsOwnThresholds) {
   standin(0)->most_force_n = standin(0)->most_stiffness_n_per_mm = standin(0)->always_n = 0;
 }
 
-TEST_F(OpenHaptics, WhatWasSeenOnATouchIsAFault) {
+TEST_F(OpenHaptics, MotionThatMakesEnergyOnATouchIsAFault) {
   const Device device = open_device("hd:");
   EXPECT_EQ(fault_under(device.info, 40, 0, 0.65), Fault::kBuzz);
   EXPECT_NE(fault_under(device.info, 25, 3e-3, 0.65), Fault::kNone);
@@ -335,7 +337,7 @@ TEST_F(OpenHaptics, WhatWasSeenOnATouchIsAFault) {
 
 using test::Hang;
 
-// The end comes in bounded time, names what hangs, and the motors are without force.
+// The end comes within a limited time and names what hangs, and the motors have no force.
 void expect_bounded_end(const std::string& uri, Bench& bench, StandIn& unit, Hang call) {
   const Device device = open_device(uri);
   {
@@ -354,12 +356,12 @@ void expect_bounded_end(const std::string& uri, Bench& bench, StandIn& unit, Han
   EXPECT_EQ(driver_calls_given_up(), before + 1);
   EXPECT_EQ(size(bench.felt()), 0) << static_cast<int>(call);
   unit.hangs = Hang::kNone;
-  for (int i = 0; i < 500 && refusal(uri) != "opened"; ++i) {  // until that thread has ended, too
+  for (int i = 0; i < 500 && refusal(uri) != "opened"; ++i) {  // until that thread ends
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
 
-TEST_F(OpenHaptics, ADriverThatHangsDoesNotHoldTheEnd) {
+TEST_F(OpenHaptics, ADriverThatHangsDoesNotHoldUpTheEnd) {
   for (const Hang call : {Hang::kRead, Hang::kWrite, Hang::kClose}) {
     expect_bounded_end("hd:", *bench, *standin(0), call);
   }
@@ -367,7 +369,7 @@ TEST_F(OpenHaptics, ADriverThatHangsDoesNotHoldTheEnd) {
 
 TEST_F(OpenHaptics, OpeningThatHangsIsGivenUp) {
   standin(0)->hangs = Hang::kOpen;
-  bench->trouble(Trouble::kNoDevice);  // what comes of it in the end is not wanted any more
+  bench->trouble(Trouble::kNoDevice);  // its result is not wanted any more
   int asked = 0;
   const auto device =
       call_driver<Device>([] { return open_device("hd:"); }, [&asked] { return ++asked > 20; });
@@ -413,20 +415,19 @@ TEST_F(ForceDimension, SaturationIsNoFault) {
 TEST_F(ForceDimension, ForcesSwitchedOffStayOff) {
   Ticker ticker("dhd:0");
   ASSERT_TRUE(ticker.tick_until({0, 0, 1}, [&] { return size(bench->felt()) > 0.9; }));
-  for (int i = 0; i < 50; ++i) ticker.tick({0, 0, 1});  // its status was looked at
+  for (int i = 0; i < 50; ++i) ticker.tick({0, 0, 1});  // until its status is read
   bench->trouble(Trouble::kForcesOff);
   EXPECT_EQ(ticker.trouble_under({0, 0, 1}), "forces are off: its button was pressed");
 }
 
-TEST_F(ForceDimension, ADriverThatHangsDoesNotHoldTheEnd) {
+TEST_F(ForceDimension, ADriverThatHangsDoesNotHoldUpTheEnd) {
   for (const Hang call : {Hang::kRead, Hang::kWrite, Hang::kClose}) {
     expect_bounded_end("dhd:0", *bench, *standin(0), call);
   }
 }
 
-// The firmware does not cut the force, so another thread of ours does it while the call still
-// hangs.
-TEST_F(ForceDimension, ACallThatHangsWithoutAWatchdogIsCutAndTold) {
+// The firmware does not cut the force, so another thread of ours does while the call still hangs.
+TEST_F(ForceDimension, ACallThatHangsWithoutAWatchdogIsCutAndReported) {
   for (const Hang call : {Hang::kRead, Hang::kWrite}) {
     bench->refuse_watchdog(true);
     EXPECT_EQ(force_dimension_watchdog(), std::optional<bool>(false));
@@ -441,14 +442,14 @@ TEST_F(ForceDimension, ACallThatHangsWithoutAWatchdogIsCutAndTold) {
   }
 }
 
-TEST_F(ForceDimension, AWatchdogThatIsTakenIsNoNote) {
+TEST_F(ForceDimension, AWatchdogThatIsAcceptedIsNotMentioned) {
   EXPECT_EQ(force_dimension_watchdog(), std::optional<bool>(true));
   const Ticker ticker("dhd:0");
   EXPECT_EQ(note_of(ticker.device), "");
   EXPECT_EQ(force_dimension_watchdog(), std::nullopt) << "it is in use";
 }
 
-// If its button were not pressed, a whole run would feel like air.
+// If the button for forces is not pressed, a whole run would feel like air.
 TEST_F(ForceDimension, ForcesThatNeverCameOnAreRefused) {
   bench->trouble(Trouble::kForcesOff);
   EXPECT_TRUE(says(refusal("dhd:0"), "press the force button"));
@@ -456,7 +457,7 @@ TEST_F(ForceDimension, ForcesThatNeverCameOnAreRefused) {
   EXPECT_EQ(refusal("dhd:0"), "opened");
 }
 
-TEST_F(ForceDimension, NumbersAreModelsAndSerialsTellDevicesApart) {
+TEST_F(ForceDimension, TypeNumbersNameModelsAndSerialsTellDevicesApart) {
   struct Numbered {
     int type;
     const char* model;
@@ -483,17 +484,18 @@ TEST_F(ForceDimension, AHandGoesWhereItIsPushed) {
   expect_pushed_along("dhd:0");
 }
 
-TEST_F(ForceDimension, BrakeIsTroubleThatIsNamed) {
+TEST_F(ForceDimension, TheBrakeIsNamedAsTheTrouble) {
   Ticker ticker("dhd:0");
-  for (int i = 0; i < 50; ++i) ticker.tick({0, 0, 1});  // its status was looked at
+  for (int i = 0; i < 50; ++i) ticker.tick({0, 0, 1});  // until its status is read
   standin(0)->hand_kg = 0.2;
   standin(0)->velocity[1] = 1;
   EXPECT_EQ(ticker.trouble_under({0, 0, 1}), "forces are off: it was moved too fast");
   EXPECT_EQ(size(bench->felt()), 0);
 }
 
-// Force commands carry the arm, also those of zero force, and also when the loop has stopped.
-TEST_F(ForceDimension, ArmDoesNotSagWhileTheLoopStands) {
+// Force commands carry the arm's weight, even those of zero force, and even when the loop has
+// stopped.
+TEST_F(ForceDimension, ArmDoesNotSagWhileTheLoopStandsStill) {
   Ticker ticker("dhd:0");
   for (int i = 0; i < 20; ++i) ticker.tick({});
   standin(0)->hand_kg = 0.2;
@@ -519,14 +521,15 @@ TEST_F(ForceDimension, TorqueTurnsAsTheForceDoes) {
                         {.force_n = {}, .torque_nm = {0.01F, 0.02F, 0.03F}, .max_force_n = 3});
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // Ours x right, y up, z toward the operator; the vendor's x toward him, y right, z up.
+  // Our axes: x right, y up, z toward the operator; the vendor's: x toward the operator, y right, z
+  // up.
   EXPECT_NEAR(standin(0)->torque[0].load(), 0.03, 1e-6);
   EXPECT_NEAR(standin(0)->torque[1].load(), 0.01, 1e-6);
   EXPECT_NEAR(standin(0)->torque[2].load(), 0.02, 1e-6);
 }
 
-TEST(VendorLibrary, MissingOneIsNamedWithWhatWasTried) {
-  // In a process of its own: a library that was found once stays loaded.
+TEST(VendorLibrary, AMissingLibraryIsNamedWithWhatWasTried) {
+  // In a separate process, because a library that was found once stays loaded.
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(
       {

@@ -99,7 +99,7 @@ std::int64_t ns_of(const timespec& spec) {
   return spec.tv_sec * kNsPerS + spec.tv_nsec;
 }
 
-// Looks again and again, until there is something or the time is over.
+// Looks again and again until there is something or the time is up.
 template <typename Look>
 int wait_for(std::int64_t timeout_ns, Look look) {
   const std::int64_t end_ns = process.now_ns + timeout_ns;
@@ -203,7 +203,7 @@ ssize_t recvmsg(int file, msghdr* message, int flags) {
   return real_recv(file, message, flags);
 }
 
-// Wakes up too early now and then, as the real one may.
+// Now and then it wakes up too early, as the real function may.
 int pthread_cond_clockwait(pthread_cond_t* cond, pthread_mutex_t* mutex, clockid_t clock,
                            const timespec* until) {
   static const auto real_wait =
@@ -248,7 +248,7 @@ int pthread_join(pthread_t id, void** result) {
     while (self != nullptr && each->id == id && !each->ended) {
       sleep_until_virtual(process.now_ns + stylet::test::kLookNs);
     }
-    if (each->id == id) each->id = 0;  // the number may come again
+    if (each->id == id) each->id = 0;  // the number may be used again
   }
   return real_join(id, result);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a test sees of a vendor's library for which there is a stand-in: where its hand is, what its
-// motors do, and what goes wrong with it. Units and frame are the vendor's. A stand-in exports its
+// What a test sees and sets of the stand-in for a vendor's library: where the hand is, what the
+// motors do, and what goes wrong. Units and frame are the vendor's. A stand-in exports its
 // functions under the vendor's names, and standin(i) for its i-th device.
 #pragma once
 
@@ -14,15 +14,15 @@ enum class Trouble : int {
   kNone,
   kNoDevice,      // opening fails
   kInUse,         // another program has it
-  kUncalibrated,  // until it is told otherwise
-  kSilent,        // the vendor's thread stops for good, or no call returns data; motors as they are
+  kUncalibrated,  // until a test says otherwise
+  kSilent,        // the vendor's thread stops, or calls return no data; motors go on
   kNoAnswer,      // every call fails
-  kHarmless,      // a warning a tick: warm motors, saturation
-  kForcesOff,     // by its own button
+  kHarmless,      // a warning each tick: warm motors, saturation
+  kForcesOff,     // switched off by its own button
   kStopsSending,  // for a service: connected, but silent
 };
 
-// The vendor's call that never returns, until it is told otherwise.
+// The vendor's call that does not return until a test says so.
 enum class Hang : int { kNone, kOpen, kRead, kWrite, kClose };
 
 struct StandIn {
@@ -38,19 +38,19 @@ struct StandIn {
   std::atomic<int> ticks;
   std::atomic<int> writes;          // of a force to the motors
   std::atomic<int> late_ms;         // the next tick of the vendor's thread is so late
-  std::atomic<bool> mute;           // tells nothing of what it can do
-  std::atomic<double> hand_kg;      // more than 0: a mass that the motors move; else it stays put
+  std::atomic<bool> mute;           // reports nothing of what it can do
+  std::atomic<double> hand_kg;      // more than 0: a mass that the motors move; 0: fixed
   std::atomic<double> velocity[3];  // of that mass, m/s
   std::atomic<Hang> hangs;
   std::atomic<bool> refuses_watchdog;
-  // What it says of itself; null or 0: the stand-in's own.
+  // What the device says of itself; null or 0: the stand-in's default.
   std::atomic<const char*> model, serial;
   std::atomic<int> type;
   std::atomic<double> most_force_n, most_stiffness_n_per_mm, always_n;
 };
 
-// Moves the mass for so long under the motors' force, the part of its weight that is not carried,
-// and the hand's damping. `metre`: in the vendor's unit; `up`: the vendor's vertical axis.
+// Moves the mass for `seconds` under the motors' force, the weight that gravity compensation
+// leaves, and the hand's damping. `metre`: in the vendor's unit; `up`: the vendor's vertical axis.
 inline void move_hand(StandIn& unit, double seconds, double metre, int up, double weight_share) {
   const double mass = unit.hand_kg.load();
   for (int i = 0; mass > 0 && i < 3; ++i) {
@@ -61,7 +61,7 @@ inline void move_hand(StandIn& unit, double seconds, double metre, int up, doubl
   }
 }
 
-// That call stands as long as it is told to.
+// Does not return from that call until a test says so.
 inline void hang_in(Hang call, const StandIn& unit) {
   while (unit.hangs.load() == call) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }

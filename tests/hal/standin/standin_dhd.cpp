@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in for libdhd.so, of three ages: as it is now; STYLET_DHD_BARE without the newer calls;
-// STYLET_DHD_OLD with the names of version 3.2. As in the vendor's library, results above zero are
-// no errors, a watchdog ends the force, saturation and the time guard are told, and the frame is x
-// toward the user, y right, z up. A hand of one mass may hold the device. Moved faster than
-// kBrakeMPerS the device brakes, and it weighs as much as gravity compensation, which lives in the
-// force commands, does not carry.
+// A stand-in for libdhd.so, in three versions: the present one; STYLET_DHD_BARE without the newer
+// calls; STYLET_DHD_OLD with the names of version 3.2. As in the vendor's library, results above
+// zero are no errors, a watchdog ends the force, saturation and the time guard are reported, and
+// the frame is x toward the user, y right, z up. A hand of one mass may hold the device. If it
+// moves faster than kBrakeMPerS, the device brakes. Gravity compensation is part of the force
+// commands; without them the hand carries the arm's weight.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -67,8 +67,8 @@ void off(Unit& u, int cause) {
   stop_motors(u);
 }
 
-// Up to the present, by whichever thread calls first: a moment that is counted twice or left out
-// does not matter here.
+// Advances to the present, in the thread that calls first. A moment that is counted twice or left
+// out does not matter here.
 void live(Unit& u) {
   const Clock::rep before = u.moved.exchange(now());
   const double seconds = before == 0 ? 0 : 1e-6 * static_cast<double>(microseconds_since(before));
@@ -93,7 +93,7 @@ Unit* answering(char id) {
 #else
   const bool watched = !u.seen.refuses_watchdog;
 #endif
-  if (trouble == Trouble::kNoAnswer && !watched) off(u, 5);  // the device feels its cable
+  if (trouble == Trouble::kNoAnswer && !watched) off(u, 5);  // its cable is out
   if (!u.open || trouble == Trouble::kNoAnswer) return nullptr;
   if (trouble == Trouble::kForcesOff) off(u, 1);
   return &u;
@@ -103,7 +103,7 @@ unsigned pressed(const Unit& u) {
   return u.seen.buttons.load() | (u.emulates && u.seen.pinched ? 1U : 0U);
 }
 
-// Data of a moment ago, without a look at the device.
+// Data of a moment ago, without asking the device.
 bool guarded(Unit& u) {
   if (u.seen.trouble.load() == Trouble::kSilent) return true;
   if (microseconds_since(u.read.load()) < 100) return true;
@@ -115,7 +115,7 @@ bool guarded(Unit& u) {
 
 extern "C" {
 
-// Asking what the motors do has to look at the watchdog first.
+// Before it says what the motors do, the watchdog must be looked at.
 StandIn* standin(int index) {
   Unit& u = units[index];
   const std::int64_t limit = u.watchdog_us.load();

@@ -42,7 +42,7 @@ struct Unit {
   bool in_frame = false;
   int frames_in_tick = 0;
   double wanted[3] = {};
-  double scale = 1;  // wrong where the locale was
+  double scale = 1;  // wrong if the locale was
 };
 struct Job {
   unsigned long handle;
@@ -68,7 +68,7 @@ Unit* unit(unsigned handle) {
   return handle < kDevices && units[handle].open ? &units[handle] : nullptr;
 }
 
-// State may be asked for before the scheduler runs, and in its thread.
+// State may be read before the scheduler runs, and in its thread.
 Unit* asked() {
   if (running.load() && std::this_thread::get_id() != servo_thread.load()) {
     for (Unit& each : units) ++each.seen.forbidden;
@@ -97,7 +97,7 @@ void tick() {
   }
 }
 
-// Motors hold their force meanwhile.
+// Motors keep their force meanwhile.
 void be_late() {
   for (Unit& each : units) {
     const int late_ms = each.seen.late_ms.exchange(0);
@@ -282,8 +282,8 @@ void hdUnschedule(unsigned long handle) {
 
 }  // extern "C"
 
-// For a program of its own: opening hangs at once, the other calls when the device has lived for a
-// while.
+// For tests of whole programs: opening hangs at once, the other calls after the device has been
+// open for a while.
 namespace {
 void hang_later(std::string_view call) {
   constexpr int kTicks = 500;
@@ -301,7 +301,7 @@ void hang_later(std::string_view call) {
 }
 }  // namespace
 
-// Loaded a second time, the library does not work.
+// If it is loaded a second time, the library does not work.
 namespace {
 struct Loads {
   Loads() {
