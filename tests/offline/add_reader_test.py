@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A format of meshes is one file and one line: in a copy of the readers a new one is added so, and
-read_mesh and the helps know it; nothing else is touched.
+"""A format of meshes is one file and one line: this adds a new one to a copy of the readers,
+touches nothing else, and read_mesh and the help texts know it.
 
 usage: add_reader_test.py SOURCE
 """

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is decided cell by cell, on drawn cells, against its definition: which gaps are filled, in
+// Decisions for each cell, on random cells, against their definitions: which gaps are filled, in
 // which layer a cell lies, what is cut away and which corners are held, and where tissues of a map
 // meet.
 
@@ -58,8 +58,8 @@ std::uint64_t inside_at(const Claims& claims, At at) {
   return claims.inside[offline::cell_index(claims.grid, x, y, z)];
 }
 
-// By the definition of closing: a cell stays empty if some cube, one cell wider than the gap, holds
-// it and no organ.
+// By the definition of closing: a cell stays empty if some cube, one cell wider than the gap,
+// contains it and no organ.
 bool is_closed(const Claims& claims, At at, int gap) {
   bool closed = true;
   each_in({at.x - gap, at.y - gap, at.z - gap}, {at.x + 1, at.y + 1, at.z + 1}, [&](At low) {
@@ -87,7 +87,7 @@ TEST(Gaps, AreWhereNoWiderCubeFitsBetweenOrgans) {
   for (int round = 0; round < 120; ++round) {
     const Claims before = drawn_claims(draw);
     const int gap = static_cast<int>(draw.below(4));
-    // In whole cells; so is a width that rounding has made a little less than one.
+    // Widths count in whole cells, also one that rounding has made a little less than a cell.
     const double width = gap + (draw.coin() ? draw.between(0, 0.99) : draw.between(-1e-6, 1e-6));
     Claims claims = before;
     const std::size_t added = offline::fill_gaps(claims, width * claims.grid.edge_m, 7);
@@ -114,7 +114,7 @@ TEST(Gaps, AreWhereNoWiderCubeFitsBetweenOrgans) {
   EXPECT_GT(enclosed, 100U);
 }
 
-// A cell is as deep as half of itself and all that is filled before it in its row, back to where
+// The depth of a cell is half of itself plus everything filled before it in its row, back to where
 // the row last entered the tissue that layers replace.
 TEST(Layers, CountWhatIsFilledFromWhereTheRowEnters) {
   Draw draw(52);
@@ -166,7 +166,7 @@ TEST(Layers, CountWhatIsFilledFromWhereTheRowEnters) {
   for (const std::size_t count : seen) EXPECT_GT(count, 500U);
 }
 
-TEST(Layers, AreNotWhereThereAreNone) {
+TEST(Layers, AreAbsentWhereNoneWereGiven) {
   Draw draw(53);
   const Claims claims = drawn_claims(draw);
   offline::TissueNumbers numbers;
@@ -188,13 +188,13 @@ TEST(Layers, CarryTheirMembraneOnceWhereTheyAreThickerThanAVoxel) {
   }
 }
 
-// A region as users write it, and whether it holds a point, by comparing numbers.
+// A region as users write it; whether it contains a point is found by comparing numbers.
 struct DrawnRegion {
   std::string text;
   std::function<bool(Vec, double slack_m)> holds;
 };
 
-// Where the border is along an axis: anywhere, or through corners of the grid up to rounding.
+// Position of the border along an axis: anywhere, or through corners of the grid up to rounding.
 double drawn_bound(Draw& draw, const Grid& grid, std::size_t axis) {
   const auto cells = static_cast<double>(grid.size[axis]);
   const double at = draw.coin()
@@ -239,7 +239,7 @@ DrawnRegion drawn_region(Draw& draw, const Grid& grid, const offline::Box& exten
           }};
 }
 
-// A grid with drawn regions.
+// A grid with random regions.
 struct DrawnRegions {
   Claims claims;
   offline::Box extent;
@@ -267,8 +267,7 @@ Vec place_of(const Grid& grid, At at, double offset) {
   return grid.origin_m + Vec{at.x + offset, at.y + offset, at.z + offset} * grid.edge_m;
 }
 
-// Corners that touch a border up to rounding are held, and so are those of every one of several
-// regions.
+// Corners that touch a border up to rounding are held; with several regions, those of each of them.
 TEST(Regions, HoldTheCornersInAnyOfThem) {
   Draw draw(54);
   std::array<std::size_t, 2> seen{};
@@ -291,7 +290,7 @@ TEST(Regions, HoldTheCornersInAnyOfThem) {
   EXPECT_GT(std::min(seen[0], seen[1]), 1000U);
 }
 
-// Cut away is a cell whose middle lies outside of one of the regions; corners of what was kept are
+// A cell is cut away if its middle lies outside one of the regions; corners of remaining cells are
 // held there.
 TEST(Regions, CutAwayTheCellsNotInAllOfThem) {
   Draw draw(55);
@@ -329,7 +328,7 @@ TEST(Regions, CutAwayTheCellsNotInAllOfThem) {
   EXPECT_GT(std::min(seen[0], seen[1]), 1000U);
 }
 
-TEST(Regions, LeaveTheTrianglesThatLieInWhatStays) {
+TEST(Regions, KeepTheTrianglesInsideTheRemainingCells) {
   Draw draw(56);
   std::size_t left = 0;
   for (int round = 0; round < 50; ++round) {
@@ -369,11 +368,11 @@ TEST(Regions, LeaveTheTrianglesThatLieInWhatStays) {
   EXPECT_GT(left, 100U);
 }
 
-// A map of two labels, with four of its voxels along each edge of a cell. Where the labels meet
-// within cells, the plane between their tissues is the faces of the map's voxels.
+// A map of two labels, with four of its voxels along each edge of a cell. If the labels meet within
+// cells, the plane between their tissues lies on faces of the map's voxels.
 TEST(Mixed, TissuesOfAMapMeetAtItsFaces) {
   Draw draw(57);
-  constexpr double kStep = 0x1p-9;  // of the map; exactly a float, as is the cells' edge
+  constexpr double kStep = 0x1p-9;  // of the map; exact as a float, as is the edge of cells
   for (int round = 0; round < 12; ++round) {
     offline::LabelMap map;
     const auto size = [&] { return static_cast<std::uint32_t>(8 + 4 * draw.below(3)); };

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""offline/cohort over phantoms and real label maps: the same bytes however many at once, through
-kills, on one machine and under a real Slurm; bad patients are listed and stop no other.
+"""offline/cohort over phantoms and real label maps: the same bytes with any number of jobs at once
+and after kills, on one machine and under a real Slurm; bad patients are listed and stop no others.
 
 usage: cohort_test.py OneMachine|Table|UnderSlurm
 STYLET_BIN and STYLET_SOURCE in the environment; STYLET_DATA wins over the data beside it.
@@ -90,8 +90,8 @@ class Case(unittest.TestCase):
                 for path in (self.folder / out / "outcome").glob("*.json")}
 
     def noted(self, out):
-        """Outcomes that Snakemake knows to be whole. It marks a file before its job and takes the
-        mark away a moment after; what is marked after a kill is made anew."""
+        """Outcomes that Snakemake takes for complete. It marks a file before its job and removes
+        the mark a moment after it; files that are marked after a kill are made again."""
         marks = self.folder / ".snakemake/incomplete"
         mark_of = {name: base64.urlsafe_b64encode(f"{out}/outcome/{name}.json".encode()).decode()
                    for name in self.patients}
@@ -106,7 +106,7 @@ class Case(unittest.TestCase):
         self.fail(f"{least} outcomes were not there after a minute")
 
     def bytes_of(self, out):
-        """Sums of everything but reports that name their folder."""
+        """Checksums of all files except reports that name their folder."""
         folder = self.folder / out
         sums = {}
         for path in sorted(folder.rglob("*")):
@@ -132,7 +132,7 @@ class Case(unittest.TestCase):
 
 
 class OneMachine(Case):
-    def test_same_bytes_through_a_kill_and_whatever_the_parallelism(self):
+    def test_same_bytes_after_a_kill_and_with_any_parallelism(self):
         killed = self.start("killed", "--cores", "2")
         self.wait_for_outcomes("killed", 3)
         os.killpg(killed.pid, signal.SIGKILL)
@@ -148,7 +148,7 @@ class OneMachine(Case):
         self.check_index("alone")
         self.assertIn("Nothing to be done", self.run_to_end("alone", "--cores", "1"))
 
-    def test_a_wrong_table_is_one_line(self):
+    def test_a_wrong_table_is_refused_in_one_line(self):
         for text, said in (("patient,file\na,b\n", "patients.csv:1: file: expected the columns"),
                            ("patient,patient,input\n",
                             "patients.csv:1: patient, patient: expected"),
@@ -163,7 +163,7 @@ class OneMachine(Case):
             self.assertIn(said, done.stderr)
             self.assertNotIn("Traceback", done.stderr)
 
-    def test_a_bad_row_is_listed_and_costs_no_other_its_organ(self):
+    def test_a_bad_row_is_listed_and_does_not_stop_others(self):
         folder = self.folder / "rows"
         folder.mkdir()
         shutil.copy(self.folder / "ball0.off", folder)
@@ -199,7 +199,7 @@ class OneMachine(Case):
 
 
 class Table(unittest.TestCase):
-    """The table as spreadsheets write it: what was written is what is read."""
+    """The table as spreadsheets write it is read as it was meant."""
 
     def test_every_spelling_gives_the_same_patients(self):
         sys.path.insert(0, str(COHORT))
@@ -262,7 +262,7 @@ class UnderSlurm(Case):
         self.fail("no job runs")
 
     def kill_a_worker(self, slurm):
-        """Kills the processes of a running job, as a node that dies would."""
+        """Kills the processes of a running job, as a failing node would."""
         job = self.wait_for_job(slurm)
         slurm.run("scancel", "--signal=KILL", "--full", job)
         return job

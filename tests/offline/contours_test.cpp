@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which contours are the same: figures that differ in one respect only, at drawn places, sizes and
-// axes; each beside itself, drawn otherwise.
+// Which contours count as the same: figures that differ in only one respect, at random places,
+// sizes and axes; and each figure next to itself written in another way.
 #include "maps/contours.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using Figure = std::vector<std::array<double, 2>>;
 
 const Figure kSquare = {{0, 0}, {20, 0}, {20, 20}, {0, 20}};
 
-// A square with a way into it and back.
+// A square with a line into it and back.
 Figure with_way(std::array<double, 2> from, std::array<double, 2> to) {
   Figure figure;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -40,8 +40,8 @@ struct Pair {
   Figure one, two;
 };
 
-// `weights`: contours are compared if they are near in a sum of their middles by these; the figures
-// of the third pair are.
+// `weights`: contours are compared only if the sums of their middles' coordinates, times these
+// weights, are near each other; those of the third pair are.
 std::vector<Pair> pairs(std::array<double, 2> weights) {
   const Figure z = {{0, 0}, {20, 0}, {20, 12}, {30, 12}, {30, 20}, {10, 20}, {10, 8}, {0, 8}};
   Figure mirrored = z;
@@ -87,8 +87,8 @@ class Contours : public ::testing::Test {
     return contour;
   }
 
-  // The same, with more points on its sides, begun elsewhere, perhaps backwards, with points there
-  // twice, rounded to 2 um.
+  // The same contour with more points on its sides, another first point, perhaps backwards, some
+  // points twice, and rounded to 2 um.
   Contour otherwise(Contour contour) {
     auto& points = contour.points_m;
     for (std::size_t i = draw.below(4); i > 0; --i) {
@@ -108,7 +108,7 @@ class Contours : public ::testing::Test {
   }
 };
 
-TEST_F(Contours, WhatDiffersInOneRespectStays) {
+TEST_F(Contours, ThatDifferInOneRespectAreDifferent) {
   const std::array<double, 3> weights = {std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0)};
   for (int repeat = 0; repeat < 200; ++repeat) {
     place();
@@ -121,7 +121,7 @@ TEST_F(Contours, WhatDiffersInOneRespectStays) {
   }
 }
 
-TEST_F(Contours, WhatIsDrawnOtherwiseIsTheSame) {
+TEST_F(Contours, ThatAreOnlyWrittenInAnotherWayAreTheSame) {
   for (int repeat = 0; repeat < 200; ++repeat) {
     place();
     for (const Pair& pair : pairs({1, 1})) {

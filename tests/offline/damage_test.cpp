@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A damaged organ file is opened or explained and never crashes the program; and what is opened
-// keeps its promises.
+// A damaged organ file is either opened or refused with a reason, and never crashes the program; an
+// opened one keeps its promises.
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ bool refused(std::span<const std::byte> bytes) {
   }
 }
 
-// Touches every value that a tick would index by.
+// Reads every value that a tick would use as an index.
 void walk(const Organ& organ) {
   std::size_t voxels = 0;
   for (const OrganRun& run : organ.runs) voxels += run.count;
@@ -52,14 +52,14 @@ TEST(Damage, EveryCutIsRefused) {
   const std::vector<std::byte> whole = small_organ();
   ASSERT_FALSE(refused(whole));
   for (std::size_t size = 0; size < whole.size(); size += size < 256 ? 1 : 37) {
-    // A copy of its own, so that a read behind its end is a read behind the allocation.
+    // A separate copy, so that a read behind its end is one behind the allocation.
     const std::vector<std::byte> cut(whole.begin(), whole.begin() + static_cast<long>(size));
     ASSERT_TRUE(refused(cut)) << size;
   }
 }
 
-// Refused by its structure, its values or its sum, or because it has no sum; and what the kernel
-// opens does not crash.
+// The file is refused for its structure, its values, its checksum or because it has none; and a
+// file that the kernel opens causes no crash.
 TEST(Damage, EveryFlippedByteIsRefused) {
   std::vector<std::byte> bytes = small_organ();
   std::size_t by_the_sum = 0;

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Regular and irregular DICOM series of drawn geometry, each with its content as numpy computes it
+"""Regular and irregular DICOM series of random geometry, each with its content as numpy computes it
 (dicom_files.py), or with the reason for which it is refused. Segmentations and structure sets:
 dicom_objects_test.py.
 
@@ -38,7 +38,7 @@ class Conformance(unittest.TestCase):
         self.folder = pathlib.Path(scratch.name)
 
     def cases(self, seeds, *makers):
-        """(a folder of its own, a generator of its own) for each maker and seed."""
+        """Yields a folder and a random generator for each maker and seed."""
         for maker in makers:
             for seed in range(seeds):
                 with self.subTest(maker.__name__, seed=seed):
@@ -91,7 +91,7 @@ class RegularSeries(Conformance):
             slices = stack(random, labels=random.choice(numpy.arange(300, 65535), 7, replace=False))
             self.check(write_slices(folder, slices, random), held(slices))
 
-        def other_kind(folder, random):  # where some libraries leave place and spacing out
+        def other_kind(folder, random):  # some libraries leave out position and spacing there
             slices = stack(random)
             self.check(write_slices(folder, slices, random, kind=dicom.CAPTURE), held(slices))
 
@@ -153,7 +153,7 @@ class RegularSeries(Conformance):
             self.check(write_slices(folder, slices, random, signed=True, change=scaled,
                                     pixels=lambda p: p - 1024), held(slices))
 
-        def twelve_bits(folder, random):  # what stands above them is an overlay's
+        def twelve_bits(folder, random):  # the bits above them belong to an overlay
             slices = stack(random)
             self.check(write_slices(folder, slices, random, used=12, pixels=lambda p: p + 0xA000),
                        held(slices))
@@ -180,7 +180,7 @@ class RegularSeries(Conformance):
 
         self.cases(2, enhanced)
 
-    def test_what_else_lies_in_the_folder(self):
+    def test_other_files_in_the_folder(self):
         def localizer(folder, random):
             slices = stack(random)
             write_slices(folder, slices, random)
@@ -209,7 +209,7 @@ class RegularSeries(Conformance):
                 self.refused(folder, f"a{ending}", "expected a whole DICOM file")
                 (folder / f"a{ending}").unlink()
 
-        def many_items(folder, random):  # but none in the other, in both byte orders
+        def many_items(folder, random):  # but none in the other; in both byte orders
             for syntax in ("1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2"):
                 slices = stack(random)
 
@@ -274,7 +274,7 @@ class IrregularSeries(Conformance):
         self.cases(2, tilted_and_uneven)
         self.cases(1, too_steep, too_far_aside)
 
-    def test_uneven_distances_decide(self):
+    def test_uneven_distances_are_read_or_refused(self):
         def uneven(folder, random):
             slices = stack(random, distances=random.uniform(1.5, 2.6, 26))
             self.check(write_slices(folder, slices, random), held(slices), NEAR, within=1.3,
@@ -288,14 +288,14 @@ class IrregularSeries(Conformance):
             self.check(write_slices(folder, slices, random), held(slices), NEAR, within=thick / 2,
                        said=["mm apart: brought into layers"])
 
-        def thin_with_some_missing(folder, random):  # each second one and more, so it is the rule
+        def thin_with_some_missing(folder, random):  # most of them, so it is the rule
             distances = random.permutation([2.0] * 8 + [1.2] * 3)
             slices = stack(random, thickness=[1.0] * 12, distances=distances)
             self.check(write_slices(folder, slices, random), held(slices), NEAR, within=1,
                        said=["mm apart: brought into layers",
                              "slices of 1 mm lie 2 mm apart: what lies between them"])
 
-        def some_without_thickness(folder, random):  # any but the first
+        def some_without_thickness(folder, random):  # any slice but the first
             slices = stack(random, distances=random.uniform(1.5, 2.6, 26))
             for i in random.permutation(numpy.arange(1, 27))[:9]:
                 slices[i].thickness = 0
@@ -305,7 +305,7 @@ class IrregularSeries(Conformance):
         self.cases(3, uneven)
         self.cases(2, two_thicknesses, thin_with_some_missing, some_without_thickness)
 
-    def test_what_is_missing_or_twice_is_refused(self):
+    def test_missing_and_duplicate_slices_are_refused(self):
         def missing(folder, random):
             slices = stack(random, distances=[2.0] * 15)
             del slices[int(random.integers(2, 13))]
@@ -354,7 +354,7 @@ class IrregularSeries(Conformance):
                 else:
                     self.refused(inner, f"{count} items in", "at least 16 bytes for each")
 
-        def no_order(folder, random):  # each is looked for among all
+        def no_order(folder, random):  # each is looked up among all
             slices = stack(random)[:1]
             path = next(write_slices(folder, slices, random).iterdir())
             whole = path.read_bytes()  # up to the pixels, so what follows belongs before them
@@ -367,7 +367,7 @@ class IrregularSeries(Conformance):
                 else:
                     self.refused(folder, path.name, "more than 1000 kinds are out of order")
 
-        def own_order(folder, random):  # of a writer who has it in each of 3000 items
+        def own_order(folder, random):  # of a writer that has it in each of 3000 items
             slices = stack(random)[:1]
             path = next(write_slices(folder, slices, random).iterdir())
             item = b"".join((struct.pack("<HHI", 0xFFFE, 0xE000, 2**32 - 1),
@@ -379,7 +379,7 @@ class IrregularSeries(Conformance):
                 struct.pack("<HHI", 0xFFFE, 0xE0DD, 0))
             self.check(folder, held(slices))
 
-        def many_elements(folder, random):  # among which each frame's numbers are looked for
+        def many_elements(folder, random):  # in which the numbers of each frame are looked up
             slices = stack(random)
             path = dicom.write_enhanced(folder / "image.dcm", slices, random)
             file = pydicom.dcmread(path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Series of slices and segmentations with drawn geometry, written by pydicom, and what they hold by
+"""Series of slices and segmentations with random geometry, written by pydicom, and their content by
 the definition of ImagePositionPatient, ImageOrientationPatient and PixelSpacing (PS3.3 C.7.6.2.1):
 volume and centroid of each label, by numpy. Units: mm, ml. Frame: the patient's (LPS)."""
 import dataclasses
@@ -26,7 +26,7 @@ def one(**values):
 
 @dataclasses.dataclass
 class Slice:
-    """A plane of pixels: where it lies, and what."""
+    """A plane of pixels: its position and its content."""
     at: numpy.ndarray            # ImagePositionPatient
     row: numpy.ndarray           # direction along a row
     column: numpy.ndarray
@@ -44,7 +44,7 @@ def turned(random):
 
 
 def blobs(random, shape, labels):
-    """Ellipsoids, each inside, some over each other."""
+    """Ellipsoids inside the volume, some of them overlapping."""
     grid = numpy.stack(numpy.meshgrid(*[numpy.arange(n) for n in shape], indexing="ij"), -1)
     volume = numpy.zeros(shape, int)
     for label in labels:
@@ -55,7 +55,8 @@ def blobs(random, shape, labels):
 
 
 def stack(random, distances=None, lean=(0, 0), labels=None, thickness=None):
-    """Slices along a drawn normal; `lean`: mm along row and column for each mm along it."""
+    """Slices along a random normal; `lean`: mm along row and column for each mm along the
+    normal."""
     frame, shape = turned(random), random.integers((16, 24, 28), (24, 40, 44))
     if distances is None:
         distances = numpy.full(shape[0] - 1, random.uniform(0.9, 3.5))
@@ -72,8 +73,8 @@ def stack(random, distances=None, lean=(0, 0), labels=None, thickness=None):
 
 
 def slabs(slices, widest=None, alone=None):
-    """What each slice stands for along the normal, relative to it: half of the way to the next;
-    where that is farther than `widest`, half of `alone`."""
+    """The slab of each slice along the normal, relative to the slice: half of the way to the next;
+    if that is farther than `widest`, half of `alone`."""
     normal = numpy.cross(slices[0].row, slices[0].column)
     along = numpy.array([s.at @ normal for s in slices])
     places = numpy.unique(numpy.round(along, 9))
@@ -129,7 +130,7 @@ def new_file(path, kind, syntax=ExplicitVRLittleEndian):
 
 
 def texts(values):
-    """As decimal strings of at most 16 characters, as everybody writes them."""
+    """Numbers as decimal strings of at most 16 characters, as usual."""
     return [f"{float(v):.9g}"[:16] for v in values]
 
 
@@ -144,7 +145,8 @@ def put_pixels(file, pixels, bits=16, signed=False, used=None):
 
 def write_slices(folder, slices, random, kind=CT, syntax=ExplicitVRLittleEndian, series="1.2.3.6",
                  change=None, pixels=None, **encoding):
-    """A file each, with names and instance numbers in no order; `change(file, number)` last."""
+    """One file for each slice, with names and instance numbers in random order; `change(file,
+    number)` is called last."""
     folder.mkdir(exist_ok=True)
     names = random.permutation(len(slices))
     for i, each in enumerate(slices):
@@ -174,7 +176,7 @@ def frame_groups(each):
 
 
 def write_enhanced(path, slices, random):
-    """All slices in one file, in no order, every group with its frame."""
+    """All slices in one file, in random order, with all functional groups in each frame."""
     file = new_file(path, ENHANCED)
     file.Modality, file.SeriesInstanceUID = "CT", "1.2.3.6"
     file.NumberOfFrames = len(slices)
@@ -188,7 +190,8 @@ def write_enhanced(path, slices, random):
 
 
 def write_seg(path, frames, names, apart=None, kind="BINARY", change=None):
-    """`frames`: Slices with a segment, pixels 0 or 1 (of a fraction: to 255), as they are."""
+    """`frames`: slices with a segment each; pixels are 0 or 1 (for a fraction: to 255), in this
+    order."""
     file = new_file(path, SEG)
     file.Modality, file.SeriesInstanceUID, file.SegmentationType = "SEG", "1.2.3.7", kind
     file.Rows, file.Columns = frames[0].pixels.shape
@@ -228,8 +231,9 @@ LABELMAP = "1.2.840.10008.5.1.4.1.1.66.7"
 
 
 def write_label_map(path, slices, names, bits=8, background=0, change=None):
-    """A segmentation whose pixels are numbers of segments (PS3.3 C.8.20.2, LABELMAP), the slices as
-    they come; `background`: of pixels that have none, described as highdicom does."""
+    """A segmentation whose pixels are numbers of segments (PS3.3 C.8.20.2, LABELMAP), the slices in
+    this order; `background`: the number of pixels without a segment, described as highdicom
+    does."""
     def as_map(file):
         file.SOPClassUID = file.file_meta.MediaStorageSOPClassUID = LABELMAP
         file.SegmentationType, file.PixelPaddingValue = "LABELMAP", background

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers that DICOM has as text, spelled in every way that files have been seen with: each is read
-as Python's float reads it, or refused with its file, its attribute and the text. A prefix of it is
-never taken for the number: 1,5 was 1.
+"""Numbers that DICOM stores as text, in every spelling that was seen in files: each is read as
+Python's float reads it, or refused with its file, its attribute and the text. A prefix is never
+taken for the number (1,5 was once read as 1).
 
 usage: dicom_numbers_test.py   (STYLET_BIN)
 """
@@ -23,13 +23,13 @@ from dicom_conformance_test import NEAR, Conformance, ran
 
 
 def put_text(item, name, text, vr=None):
-    """Bytes as they are, which pydicom would not write."""
+    """Raw bytes that pydicom would not write."""
     tag = pydicom.tag.Tag(pydicom.datadict.tag_for_keyword(name))
     data = text.encode() + b" " * (len(text.encode()) % 2)
     vr = vr or pydicom.datadict.dictionary_VR(tag)
     try:
         pydicom.valuerep.IS(text)
-    except (OverflowError, TypeError):  # of these it writes no integer string
+    except (OverflowError, TypeError):  # pydicom cannot write these as integer strings
         vr = vr.replace("IS", "DS")
     except ValueError:
         pass
@@ -43,7 +43,8 @@ def put_binary(item, name, vr, kind, values):
 
 
 def blank_out(path, name, text):
-    """Overwrites a value with blanks in the finished file: pydicom would write none."""
+    """Overwrites a value with blanks in the finished file, because pydicom would not write such a
+    value."""
     tag = pydicom.datadict.tag_for_keyword(name)
     head = numpy.array([tag >> 16, tag & 0xFFFF], "<u2").tobytes()
     head += pydicom.datadict.dictionary_VR(tag).encode() + numpy.array(len(text), "<u2").tobytes()
@@ -53,7 +54,7 @@ def blank_out(path, name, text):
 
 
 def changed_text(item, name, change, random):
-    """Changes one of the values of an attribute, any of them; its place and new text."""
+    """Changes a random one of an attribute's values; returns its index and new text."""
     values = item.data_element(name).value
     values = [values] if isinstance(values, (str, int, float)) else list(values)
     place = int(random.integers(len(values)))
@@ -64,7 +65,7 @@ def changed_text(item, name, change, random):
 
 
 def fractional(text):
-    """The number with a fraction, as a comma or a `d` has to stand somewhere."""
+    """The number with a fraction, so that there is a place for a comma or a `d`."""
     return text if "." in text else text + ".0"
 
 
@@ -115,7 +116,7 @@ RIGHT = {
                                 else t,
     "nothing behind the point": lambda t: t if "." in t else t + ".",
 }
-# What of a slice decides.
+# The attributes of a slice that matter.
 OF_SLICES = ("PixelSpacing", "ImagePositionPatient", "ImageOrientationPatient", "SliceThickness",
              "RescaleSlope", "RescaleIntercept", "NumberOfFrames")
 
@@ -123,11 +124,12 @@ OF_SLICES = ("PixelSpacing", "ImagePositionPatient", "ImageOrientationPatient", 
 @unittest.skipIf(dicom is None, "pydicom is not installed: apt-get install python3-pydicom")
 class Numbers(Conformance):
     def shown(self, text):
-        """What of the text a refusal says, whatever stands around."""
+        """The part of the text that a refusal quotes."""
         return "".join(c if c.isprintable() else "?" for c in text)[:50]
 
     def series(self, folder, random, name, change, of_all):
-        """A series with one number, or one in each slice, respelled; the texts."""
+        """A series in which one number, or one in each slice, is spelled in another way; and the
+        texts."""
         slices, seen = stack(random, distances=[2.0] * 15), []
         some = range(len(slices)) if of_all else [int(random.integers(len(slices)))]
 
@@ -137,7 +139,7 @@ class Numbers(Conformance):
                 seen.append(changed_text(file, name, change, random)[1])
         return slices, write_slices(folder / "series", slices, random, change=respelled), seen
 
-    def test_what_is_no_number_is_refused_in_slices(self):
+    def test_text_that_is_no_number_is_refused_in_slices(self):
         for name in OF_SLICES:
             for spelling, change in WRONG.items():
                 def wrong(folder, random):
@@ -180,7 +182,7 @@ class Numbers(Conformance):
                     ("ImageOrientationPatient", "1\\0\\0\\\\1\\0"))):
                 written(folder / f"empty {i}", random, name, text, "is empty: expected a number")
 
-        def further(folder, random):  # a comma as a separator, and such
+        def further(folder, random):  # for example a comma as a separator
             for i, (name, text, most) in enumerate((
                     ("PixelSpacing", "1\\5\\1\\5", 2), ("SliceThickness", "2\\5", 1),
                     ("RescaleSlope", "1\\1", 1), ("ImagePositionPatient", "1\\2\\3\\", 3),
@@ -188,7 +190,7 @@ class Numbers(Conformance):
                 written(folder / f"further {i}", random, name, text,
                         f"expected at most {most} numbers")
 
-        def nothing(folder, random):  # as if it were not there
+        def nothing(folder, random):  # as if the attribute were absent
             for i, text in enumerate(("", " ", "    ")):
                 for name in ("RescaleSlope", "RescaleIntercept", "NumberOfFrames"):
                     written(folder / f"{name} {i}", random, name, text)
@@ -207,10 +209,10 @@ class Numbers(Conformance):
         def too_many(folder, random):
             written(folder, random, "NumberOfFrames", "99999999999", "expected 1 to 2147483647")
 
-        def half(folder, random):  # of what has whole numbers
+        def half(folder, random):  # of an attribute with whole numbers
             written(folder / "half", random, "NumberOfFrames", "1.5", "1.5: expected a whole")
 
-        def as_text(folder, random):  # of another kind is read as strictly
+        def as_text(folder, random):  # text of another type is read as strictly
             def change(text):
                 return lambda file, _: put_text(file, "RescaleSlope", text, "LO")
             slices = stack(random)
@@ -219,7 +221,7 @@ class Numbers(Conformance):
             self.refused(write_slices(folder / "comma", slices, random, change=change("1,0")),
                          "RescaleSlope", "1,0", "expected a number")
 
-        def as_bytes(folder, random):  # which are no numbers of any kind
+        def as_bytes(folder, random):  # bytes that are no type of number
             def change(file, _):
                 put_text(file, "RescaleSlope", "1 ", "OB")
             self.refused(write_slices(folder / "bytes", stack(random), random, change=change),
@@ -372,7 +374,7 @@ class NumbersOfObjects(Conformance):
         self.cases(1, halves, empty, no_points)
 
     def test_spellings_of_contours(self):
-        def all_commas(folder, random):  # as an exporter of another country writes them
+        def all_commas(folder, random):  # with decimal commas, as some exporters write
             def respell(file):
                 for each in file.ROIContourSequence[0].ContourSequence:
                     put_text(each, "ContourData", "\\".join(
@@ -380,7 +382,7 @@ class NumbersOfObjects(Conformance):
             path, _ = self.structures(folder, random, respell)
             self.refused(path, "Liver", "contour 0", "point 0", "ContourData", "expected a number")
 
-        def right(folder, random):  # every number in any way
+        def right(folder, random):  # every number in any of the spellings
             def respell(file):
                 ways = list(RIGHT.values())
                 for each in file.ROIContourSequence[0].ContourSequence:
@@ -396,4 +398,4 @@ class NumbersOfObjects(Conformance):
 
 
 if __name__ == "__main__":
-    unittest.main(verbosity=2, warnings="ignore")  # pydicom warns of each
+    unittest.main(verbosity=2, warnings="ignore")  # pydicom warns about each of them

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""DICOM segmentations and structure sets of drawn geometry, as dicom_conformance_test.py has
+"""DICOM segmentations and structure sets of random geometry, as dicom_conformance_test.py has
 series.
 
 usage: dicom_objects_test.py   (STYLET_BIN)
@@ -22,8 +22,8 @@ from dicom_conformance_test import NEAR, TOOL, Conformance, ran
 
 
 def segments(random, slices, numbers, overlap=False):
-    """Frames of each segment with the planes it has pixels in, and what a reader holds of them
-    where the higher number wins."""
+    """Frames of each segment for the planes in which it has pixels; and what a reader must make of
+    them, where the higher number wins."""
     frames, seen = [], []
     shape = (len(slices), *slices[0].pixels.shape)
     won = numpy.zeros(shape, int)
@@ -84,7 +84,7 @@ class Segmentations(Conformance):
                 each.pixels = 3 * (each.pixels >= 127.5)
             self.check(path, held(frames, **self.rule(slices)), said=["a fraction of one half"])
 
-        def told_twice(folder, random):  # for all frames and for each, and alike
+        def told_twice(folder, random):  # for all frames and again for each, with equal values
             slices = stack(random)
             frames, seen = segments(random, slices, self.NAMES)
 
@@ -99,7 +99,7 @@ class Segmentations(Conformance):
         self.cases(2, apart, told_twice)
         self.cases(1, overlapping, named_by_type, fractional)
 
-    def test_places_of_frames_decide(self):
+    def test_frames_are_placed_by_their_position(self):
         def holes(folder, random):
             slices = stack(random, distances=[1.9] * 20)
             frames, _ = segments(random, slices, [3])
@@ -123,13 +123,13 @@ class Segmentations(Conformance):
             self.check(path, held(seen, **self.rule(slices)), NEAR, within=1.3,
                        said=["brought into layers"])
 
-        def spaced(folder, random):  # told: 1.8 mm apart, though 1 mm thick
+        def spaced(folder, random):  # the file says 1.8 mm apart, although 1 mm thick
             slices = stack(random, distances=[1.8] * 20, thickness=[1.0] * 21)
             frames, seen = segments(random, slices, self.NAMES)
             path = write_seg(folder / "seg.dcm", frames, self.NAMES, apart=1.8)
             self.check(path, held(seen, alone=1.8, widest=2.7))
 
-        def told_by_its_frames(folder, random):  # where nothing else does
+        def told_by_its_frames(folder, random):  # if nothing else gives it
             slices = stack(random, distances=[2.3] * 20, thickness=[2.3] * 21)
             frames, seen = segments(random, slices, self.NAMES)
 
@@ -141,14 +141,14 @@ class Segmentations(Conformance):
             if numpy.ptp(numpy.diff(places)) < 0.01:
                 self.check(path, held(seen, alone=2.3, widest=3.5))
             some = [f for f in frames if f.segment == 3]
-            # Two alone; then the narrowest gap is the first, in the middle, the last.
+            # Only two slices; then the narrowest gap is the first, one in the middle, the last.
             for picked in ((0, 1), (0, 1, 3, 5), (0, 2, 3, 5), (0, 2, 4, 5)):
                 path = write_seg(folder / "some.dcm", [some[i] for i in picked], self.NAMES,
                                  change=change)
                 self.refused(path, "neither SpacingBetweenSlices nor SliceThickness",
                              "expected one")
 
-        def thinner_than_apart(folder, random):  # thin slices, and nothing told
+        def thinner_than_apart(folder, random):  # thin, at an unknown distance
             slices = stack(random, distances=[3.0] * 20, thickness=[1.0] * 21)
             frames, seen = segments(random, slices, self.NAMES)
             path = write_seg(folder / "seg.dcm", frames, self.NAMES, apart=2e6)
@@ -209,8 +209,8 @@ class Segmentations(Conformance):
             self.check(path, held(kept, **self.rule(slices)))
 
         def with_no_word_of_a_background(folder, random):
-            """Without PixelPaddingValue every pixel is a segment's, unless segment 0 is the
-            background, or is not described at all."""
+            """Without PixelPaddingValue every pixel belongs to a segment, unless segment 0 is the
+            background or is not described at all."""
             def written(described):
                 def change(file):
                     del file.PixelPaddingValue
@@ -234,7 +234,7 @@ class Segmentations(Conformance):
                 self.refused(written(segment_0("Muscle", scheme, value)),
                              "no PixelPaddingValue, and segment 0 is Muscle: expected")
 
-        def with_a_segment_in_every_pixel(folder, random):  # in which nothing is background
+        def with_a_segment_in_every_pixel(folder, random):  # in which no pixel is background
             def change(file):
                 del file.PixelPaddingValue
                 del file.SegmentSequence[0]
@@ -260,7 +260,7 @@ class Segmentations(Conformance):
         self.cases(1, with_no_word_of_a_background, with_a_segment_in_every_pixel,
                    with_a_plane_twice, with_a_segment_0)
 
-    def test_what_contradicts_itself_is_refused(self):
+    def test_contradictions_are_refused(self):
         def written(folder, random, spoil, *said, change=None, apart=None):
             slices = stack(random, distances=[2.0] * 18)
             frames, _ = segments(random, slices, self.NAMES)
@@ -322,7 +322,7 @@ class Segmentations(Conformance):
                 written(folder, random, lambda frames: None, f"frame {frame}: {name} ",
                         " for this frame, but ", "expected it in one place", change=change)
 
-        def two_items(folder, random):  # of a functional group, which has one
+        def two_items(folder, random):  # of a functional group, which may have only one
             frame = int(random.integers(0, 12))
 
             def change(file):
@@ -402,7 +402,7 @@ class Segmentations(Conformance):
                    short, far_segment, segments_beyond_all_labels, no_rows, segment_0,
                    fraction_of_what)
 
-    def test_alone_in_a_folder_it_is_the_map(self):
+    def test_a_segmentation_alone_in_a_folder_is_the_map(self):
         def alone(folder, random):
             slices = stack(random)
             frames, seen = segments(random, slices, self.NAMES)
@@ -425,7 +425,7 @@ class Segmentations(Conformance):
 
         self.cases(1, alone, beside_its_series, two)
 
-    def test_memory_and_time_follow_the_bytes(self):
+    def test_memory_and_time_are_bounded_by_the_bytes(self):
         def bounded(path, *said):
             done = subprocess.run(
                 [TOOL, "labels", path, "--json"], capture_output=True, text=True, timeout=20,
@@ -471,7 +471,8 @@ class Segmentations(Conformance):
 
 
 class Drawn:
-    """Outlines in parallel planes, and what they enclose: volume and centroid by the polygons'."""
+    """Outlines in parallel planes, and what they enclose: volume and centroid from those of the
+    polygons."""
 
     def __init__(self, random, frame=None, planes=14):
         self.frame = dicom.turned(random) if frame is None else frame
@@ -479,7 +480,7 @@ class Drawn:
         self.planes, self.random = planes, random
 
     def outlines(self, radius, middle):
-        """One in each plane, of a body that is round along the normal, too."""
+        """One outline in each plane, of a body that is round along the normal, too."""
         along = (numpy.arange(self.planes) + 0.5) / self.planes * 2 - 1
         return [dicom.polygon(self.random, radius * (0.6 + 0.4 * numpy.sqrt(1 - a * a)), middle)
                 for a in along]
@@ -520,14 +521,14 @@ class StructureSets(Conformance):
             path = dicom.write_structures(folder / "rt", [(1, "Liver", drawn.contours(liver))])
             self.check(path, {1: drawn.held(liver)}, NEAR)
 
-        def sagittal_and_coronal(folder, random):  # either way around
+        def sagittal_and_coronal(folder, random):  # clockwise or not
             for turn in ((1, 2, 0), (2, 0, 1), (2, 1, 0), (0, 2, 1)):
                 drawn = Drawn(random, frame=numpy.eye(3)[list(turn)])
                 liver = drawn.outlines(25, (3, 4))
                 path = dicom.write_structures(folder / "rt", [(1, "Liver", drawn.contours(liver))])
                 self.check(path, {1: drawn.held(liver)}, NEAR)
 
-        def wide(folder, random):  # more pixels across than there are at first
+        def wide(folder, random):  # more pixels across than the grid has at first
             drawn = Drawn(random)
             body = drawn.outlines(600, (0, 0))
             path = dicom.write_structures(folder / "rt", [(1, "Body", drawn.contours(body))])
@@ -541,7 +542,7 @@ class StructureSets(Conformance):
                                           kind="CLOSEDPLANAR_XOR")
             self.check(path, {1: drawn.held(outer, [inner])}, NEAR)
 
-        def of_many_points(folder, random):  # of 64 kB and more, which has no VR of its own
+        def of_many_points(folder, random):  # 64 kB and more, for which there is no VR
             drawn = Drawn(random, planes=4)
             way = numpy.linspace(0, 1, 60, endpoint=False)[:, None]
             liver = [numpy.concatenate([a + way * (b - a) for a, b in zip(p, numpy.roll(p, -1, 0))])
@@ -557,7 +558,7 @@ class StructureSets(Conformance):
                                           [(1, "Wall", shuffled(random, both))])
             self.check(path, {1: drawn.held(outer, [inner])}, NEAR)
 
-        def repeated(folder, random):  # would be holes of themselves
+        def repeated(folder, random):  # with exclusive or they would cancel themselves
             drawn = Drawn(random)
             liver = drawn.outlines(30, (0, 0))
             contours = drawn.contours(liver)
@@ -566,7 +567,7 @@ class StructureSets(Conformance):
             self.check(path, {1: drawn.held(liver)}, NEAR,
                        said=["Liver: 4 contours are there twice: each was taken once"])
 
-        def lying_on_another(folder, random):  # begun elsewhere, drawn back, rounded, closed
+        def lying_on_another(folder, random):  # another first point, backwards, rounded, closed
             drawn = Drawn(random)
             liver = drawn.outlines(30, (0, 0))
             contours = drawn.contours(liver)
@@ -580,7 +581,7 @@ class StructureSets(Conformance):
             self.check(path, {1: drawn.held(liver)}, NEAR,
                        said=["Liver: 4 contours are there twice: each was taken once"])
 
-        def mirrored(folder, random):  # the same outline, area and middle, and yet another
+        def mirrored(folder, random):  # the same area and middle, but another outline
             drawn = Drawn(random, frame=numpy.eye(3))
             one = numpy.array([[0, 0], [20, 0], [20, 12], [30, 12], [30, 20], [10, 20], [10, 8],
                                [0, 8]], float)
@@ -591,10 +592,10 @@ class StructureSets(Conformance):
             path = dicom.write_structures(folder / "rt.dcm", [(1, "Z", contours)])
             both = [[box(10, 20, 0, 20)] * count, [box(0, 10, 8, 12)] * count,
                     [box(20, 30, 8, 12)] * count]
-            # Edges along pixels of 0.5 mm: each may be off by half of one.
+            # Edges along pixels of 0.5 mm: each may be off by half a pixel.
             self.check(path, {1: drawn.held([box(0, 30, 0, 20)] * count, both)}, NEAR, within=0.36)
 
-        def rods(folder, random):  # in a pattern, where much lies at the same place along a line
+        def rods(folder, random):  # in a pattern, with many edges at the same place along a line
             drawn = Drawn(random, planes=20)
             way = numpy.linspace(0, 2 * numpy.pi, 12, endpoint=False)
             circle = 1.2 * numpy.stack([numpy.cos(way), numpy.sin(way)], 1)
@@ -687,13 +688,13 @@ class StructureSets(Conformance):
             dicom.write_structures(folder / "rt.dcm", [(5, "x", contours)], frame="1.2.9")
             self.refused(folder, "ReferencedFrameOfReferenceUID 1.2.9")
 
-        def of_no_frame(folder, random):  # which is the only one there is
+        def of_no_frame(folder, random):  # without a frame of reference, but the only series
             drawn = self.on_series(folder, random)
             liver = drawn.outlines(24, (25, 30))
             dicom.write_structures(folder / "rt.dcm", [(5, "x", drawn.contours(liver))], frame="")
             self.check(folder, {5: drawn.held(liver)}, NEAR, within=0.2)
 
-        def on_one_slice(folder, random):  # which says how thick it is
+        def on_one_slice(folder, random):  # a slice that gives its thickness
             one = stack(random)[9:10]
             drawn = Drawn(random, numpy.stack([one[0].row, one[0].column,
                                                numpy.cross(one[0].row, one[0].column)]), planes=1)
@@ -737,8 +738,8 @@ class StructureSets(Conformance):
                    points_alone, far_beyond_it, two_sets)
 
     def drawn_apart(self, drawn, distances, middle):
-        """Contours at distances of their own, from a drawn place on, and what they hold: each as
-        thick as half of the way to its neighbours of the same structure."""
+        """Contours at distances of their own, starting at a random place, and what they enclose:
+        each is as thick as half of the way to its neighbours of the same structure."""
         along = numpy.concatenate([[0], numpy.cumsum(distances)]) + drawn.random.uniform(0, 4)
         ways = numpy.concatenate([distances[:1], distances, distances[-1:]])
         drawn.planes, drawn.step = len(along), 1
@@ -776,7 +777,7 @@ class StructureSets(Conformance):
         def at_uneven_places(folder, random):
             together(folder, random, [random.uniform(2.4, 3.4, 14) for _ in range(2)])
 
-        def in_one_plane(folder, random):  # as thick as others that have several, not as one of two
+        def in_one_plane(folder, random):  # as thick as those of structures with several planes
             drawn, usual = Drawn(random), random.uniform(2.5, 3.5)
             several, expected = self.drawn_apart(drawn, numpy.full(14, usual), (0, 0))
             two, of_two = self.drawn_apart(drawn, numpy.array([usual / 2]), (60, 0))
@@ -792,7 +793,7 @@ class StructureSets(Conformance):
         self.cases(2, of_different_distances, beside_each_other, finer_in_the_middle,
                    much_finer_in_the_middle, at_uneven_places, in_one_plane)
 
-    def test_what_is_left_out_is_told(self):
+    def test_structures_that_are_left_out_are_reported(self):
         def drawn_here_and_there(folder, random):
             drawn = Drawn(random)
             liver, sparse = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
@@ -807,7 +808,7 @@ class StructureSets(Conformance):
         def numbered_from_0(folder, random):
             drawn = Drawn(random)
             liver, other = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
-            for numbers in (0, 7), (7, 0):  # the first that cannot be one is named
+            for numbers in (0, 7), (7, 0):  # the first one that is impossible is named
                 structures = [(numbers[0], "a", drawn.contours(liver)),
                               (numbers[1], "b", drawn.contours(other))]
                 path = dicom.write_structures(folder / "rt.dcm", structures)
@@ -841,7 +842,7 @@ class StructureSets(Conformance):
                 folder / "rt.dcm", [(1, "Liver", drawn.contours(liver)), (2, "Vein", [])])
             self.check(path, {1: drawn.held(liver)}, NEAR, said=["Vein has no closed contour"])
 
-        def outlined_twice(folder, random):  # within one contour, or 12 um beside: nothing is left
+        def outlined_twice(folder, random):  # nothing is left of them
             drawn = Drawn(random)
             liver, other = drawn.outlines(24, (0, 0)), drawn.outlines(20, (60, 0))
             contours = drawn.contours(other)
@@ -859,7 +860,7 @@ class StructureSets(Conformance):
             whole = drawn.held(other)[1]
             self.assertLess(facts["labels"][1]["volume_ml"], whole * (1 - 1.5 / count))
 
-        def far_apart(folder, random):  # nobody drew what lies between
+        def far_apart(folder, random):  # nothing was drawn in between
             drawn = Drawn(random, planes=2)
             drawn.step = float(random.uniform(20.5, 1000))
             square = numpy.array([[-20, -20], [20, -20], [20, 20], [-20, 20]], float)
@@ -872,7 +873,7 @@ class StructureSets(Conformance):
         self.cases(1, to_and_fro)
         self.cases(1, drawn_here_and_there, numbered_from_0, numbered_too_high, without_contour)
 
-    def test_what_no_plane_holds_is_refused(self):
+    def test_contours_that_lie_in_no_plane_are_refused(self):
         def written(folder, random, contours, *said, **options):
             drawn = Drawn(random)
             good = drawn.contours(drawn.outlines(24, (0, 0)))

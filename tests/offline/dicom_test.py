@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """DICOM segmentations and series of slices, written here by pydicom, against the same labels as
-NRRD: same counts, same organ in the same place. What is damaged or incomplete is refused.
+NRRD: the same counts, and the same organ in the same place. Damaged and incomplete files are
+refused.
 
 usage: dicom_test.py   (STYLET_BIN)
 """
@@ -32,7 +33,7 @@ SIZE = (40, 30, 20)
 
 
 def labels():
-    """Two balls, the second partly in the first; index order z, y, x."""
+    """Two balls, the second partly inside the first; index order z, y, x."""
     z, y, x = numpy.mgrid[0:SIZE[2], 0:SIZE[1], 0:SIZE[0]]
     place = numpy.stack([x * SPACING[0], y * SPACING[1], z * SPACING[2]], axis=-1)
     first = numpy.linalg.norm(place - [28, 30, 30], axis=-1) < 20
@@ -66,7 +67,7 @@ def new_file(path, kind):
 
 
 def write_series(folder, skip=(), series="1.2.3.6"):
-    """One file a slice, in an order that is not that of space."""
+    """One file for each slice, in an order that is not the spatial one."""
     folder.mkdir(exist_ok=True)
     volume = labels()
     for i in range(SIZE[2]):
@@ -108,7 +109,7 @@ def code():
 
 
 def write_seg(path, shift=None):
-    """Only the slices that a segment has pixels in, segment after segment."""
+    """Segment after segment, only the slices in which it has pixels."""
     volume = labels()
     file = new_file(path, SEG)
     file.Modality, file.SeriesInstanceUID = "SEG", "1.2.3.7"
@@ -167,7 +168,8 @@ def write_nrrd(path):
 
 
 def sum_of(source):
-    """Of a file; of a folder, that of its files' sums in the order of their names."""
+    """Checksum of a file; for a folder the checksum of its files' checksums in the order of their
+    names."""
     path = pathlib.Path(source)
     files = sorted(path.iterdir()) if path.is_dir() else [path]
     sums = [hashlib.sha256(each.read_bytes()).hexdigest() for each in files]
@@ -235,7 +237,7 @@ class Dicom(unittest.TestCase):
         (self.folder / "none").mkdir()
         self.check_refused(self.folder / "none", "0 DICOM series: expected one")
 
-    def test_what_no_regular_grid_holds_is_refused_with_its_place(self):
+    def test_slices_that_fit_no_regular_grid_are_refused_with_their_place(self):
         random = numpy.random.default_rng(5)
 
         one = int(random.integers(1, SIZE[2]))
@@ -324,7 +326,7 @@ class Dicom(unittest.TestCase):
         expected = apart.sum() * SPACING[0] * SPACING[1] * SPACING[2] * 1e-3
         self.assertAlmostEqual(found[0]["volume_ml"], expected, places=2)
 
-    def test_segmentations_go_by_their_content_and_their_places(self):
+    def test_segmentations_are_read_by_content_and_position(self):
         write_seg(self.folder / "seg.dcm")
         bare = self.folder / "segmentation"
         bare.write_bytes((self.folder / "seg.dcm").read_bytes())
@@ -334,7 +336,7 @@ class Dicom(unittest.TestCase):
         self.assertIn("segmentation: this is a label map: expected --recipe with it", done.stderr)
         file = pydicom.dcmread(str(bare))
         frames = file.PerFrameFunctionalGroupsSequence
-        # A ten-thousandth of a millimetre does not decide which segment has a voxel.
+        # A difference of 0.0001 mm does not decide which segment has a voxel.
         for frame in frames:
             if frame.SegmentIdentificationSequence[0].ReferencedSegmentNumber == 1:
                 place = frame.PlanePositionSequence[0]

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Every label map and organ mesh of the shared data becomes an organ or is refused with a reason;
-every label keeps its volume; organ files are read by Python as by the program, and know damage.
+every label keeps its volume; Python reads organ files as the program does, and damage is
+recognised.
 
 usage: every_file_test.py [CASE]   (STYLET_BIN, STYLET_SOURCE; STYLET_DATA overrides)
 """
@@ -20,7 +21,7 @@ TOOL = pathlib.Path(os.environ.get("STYLET_BIN", SOURCE / "build/bin")) / "style
 DATA = pathlib.Path(os.environ.get("STYLET_DATA", SOURCE.parent / "shared/data"))
 RECIPE = SOURCE / "offline/recipes/totalsegmentator.toml"
 
-# What must be refused, and a part of why; the rest must build.
+# Files that must be refused, with a part of the reason; all others must build.
 NO_MAPS = {"ts_example_ct_sm.nii.gz": "whole numbers", "sofa_tooth_closed.mhd": "whole numbers",
            "tooth_closed.raw": "expected a label map", "README.md": "expected a label map"}
 NO_MESHES = {"README.md": "expected"}
@@ -64,7 +65,7 @@ class Case(unittest.TestCase):
 
 class LabelMaps(Case):
     def write_recipe(self, labels):
-        """Every label a tissue of its own."""
+        """A recipe that makes every label a tissue of its own."""
         names = [f"label{each['label']}" for each in labels]
         (self.folder / "tissues.toml").write_text("".join(f"[{name}]\n{TISSUE}" for name in names))
         (self.folder / "recipe.toml").write_text("[tissues]\n" + "".join(
@@ -81,8 +82,9 @@ class LabelMaps(Case):
                            self.folder / "map.organ")
         seen = {each["tissue"]: each["filled_volume_ml"] for each in built["labels"]}
         for each in labels:
-            # 64 samples a voxel of the lattice: of a speck they are too few for a percent. Without
-            # any order, their number would be good to its root, in 95 % to twice that.
+            # There are 64 samples for each voxel of the lattice, too few for one percent of a
+            # speck. If samples were random, their number would be right to its root, and in 95 % of
+            # cases to twice that.
             samples = each["volume_ml"] * 1e3 / edge_mm ** 3 * 64
             allowed = max(0.01, 2 / math.sqrt(samples))
             self.assertAlmostEqual(seen[f"label{each['label']}"] / each["volume_ml"], 1,
@@ -114,7 +116,7 @@ class Meshes(Case):
                 self.assertEqual(self.tool("check", self.folder / "mesh.organ").returncode, 0)
 
     def scale(self, path):
-        """To an organ of centimetres: some files have no unit."""
+        """Scales the mesh to an organ of centimetres, because some files have no unit."""
         if "femur" in path.name or "pelvis" in path.name or "slab" in path.name:
             return 100
         return 10 if path.name.startswith("sofa_") and "aneurysm" not in path.name else 1
@@ -157,7 +159,7 @@ class OrganFiles(Case):
         with self.assertRaisesRegex(ValueError, "expected the letters STLO"):
             read_organ(RECIPE)
 
-    def test_any_changed_byte_is_known_by_all_who_read(self):
+    def test_any_changed_byte_is_recognised_by_every_reader(self):
         sys.path.insert(0, str(SOURCE / "offline/analysis"))
         from read_organ import read_organ
         path = self.build()
@@ -174,7 +176,7 @@ class OrganFiles(Case):
                 self.assertEqual(self.tool("info", path).returncode, 1)
         self.assertGreater(by_the_sum, 20)
 
-    def test_the_sum_beside_a_file_says_whether_it_is_that_file(self):
+    def test_the_checksum_beside_a_file_tells_whether_it_is_that_file(self):
         path = self.build()
         self.assertIn("those of the .sha256 file beside it", self.tool("check", path).stdout)
         subprocess.run(["sha256sum", "--status", "-c", f"{path.name}.sha256"], cwd=self.folder,
@@ -183,14 +185,14 @@ class OrganFiles(Case):
         self.tool("phantom", "layered", "--voxel-mm", 6, "-o", other)
         path.write_bytes(other.read_bytes())
         self.check_refused(self.tool("check", path), "the file is undamaged, but not the one")
-        # A new organ without a sum leaves none of the old one's.
+        # A new organ without a checksum removes that of the old one.
         self.tool("phantom", "layered", "--voxel-mm", 6, "-o", path)
         self.assertFalse((self.folder / "a.organ.sha256").exists())
         self.assertEqual(self.tool("check", path).returncode, 0)
 
 
 class Memory(Case):
-    def test_limit_is_kept_and_said(self):
+    def test_the_memory_limit_is_kept_and_reported(self):
         words = ["build", DATA / "organs/openhelp_Liver.stl", "--voxel-mm", 1, "-o",
                  self.folder / "a.organ", "--memory-limit"]
         self.check_refused(self.tool(*words, "100MiB"), "out of memory")

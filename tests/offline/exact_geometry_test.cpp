@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact geometry of CGAL's alpha wrap and of its mesher, against integers of 128 bits: points are
-// drawn on a lattice, also nearly or wholly flat, and nearly or wholly on one sphere.
+// Exact geometry of CGAL's alpha wrap and of its mesher, against integers of 128 bits: random
+// points of a lattice, some of them nearly or exactly flat, or nearly or exactly on one sphere.
 #include <CGAL/Regular_triangulation_3.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using Wholes = std::array<Whole, 3>;
 constexpr double kUnit = 0x1p-16;  // of the lattice
 constexpr double kRounding = 0x1p-52;
 constexpr auto kWideRounding = static_cast<long double>(kRounding);
-constexpr int kNear = 200, kFar = 150'000;  // what sums below leave in 128 bits, for 3 and 4 points
+constexpr int kNear = 200, kFar = 150'000;  // so that sums fit in 128 bits, for 3 and 4 points
 constexpr int kRuns = 2000;
 
 struct Spot {
@@ -62,12 +62,12 @@ CgalBall ball(const Spot& spot) {
 }
 
 // The smallest sphere orthogonal to the first `count` balls, which are in general position: its
-// centre is spots[0] + way / (2 * part). With each other ball, (centre - spots[0]) * edge =
-// (edge^2 + weights' difference) / 2; and it lies in the line or plane of two or three.
+// centre is spots[0] + way / (2 * part). For each other ball, (centre - spots[0]) * edge = (edge^2
+// + weights' difference) / 2; and the centre of two or three balls lies in their line or plane.
 struct Sphere {
   Wholes way{};
   Whole part = 1;
-  long double terms = 0, part_terms = 0;  // bounds of the terms in both sums, for rounding
+  long double terms = 0, part_terms = 0;  // largest terms in both sums, for rounding
 };
 
 Sphere sphere_of(const Spots& spots, std::size_t count) {
@@ -95,8 +95,8 @@ Sphere sphere_of(const Spots& spots, std::size_t count) {
   return sphere;
 }
 
-// 1 if the last ball is nearer to the others' sphere than orthogonal, -1 if farther; between five,
-// turned with the first four.
+// 1 if the last ball is nearer to the others' sphere than an orthogonal one, -1 if farther; for
+// five balls times the orientation of the first four.
 int side(const Spots& spots) {
   const Sphere sphere = sphere_of(spots, spots.size() - 1);
   const Wholes to = minus(spots.back().at, spots[0].at);
@@ -105,8 +105,8 @@ int side(const Spots& spots) {
   return -sign(power);
 }
 
-// Draws spots of a line, plane or space, on which weights are multiples of the reach. A frame of
-// three whole orthogonal directions, each of length 3, turns them.
+// Draws spots of a line, plane or space, with weights that are multiples of the reach. They are
+// rotated by three orthogonal directions in whole numbers, each of length 3.
 class Lattice {
  public:
   Lattice(Draw& draw, int reach) : draw_(draw), reach_(reach) {
@@ -131,7 +131,7 @@ class Lattice {
     }
     return spots;
   }
-  // On one sphere around the middle.
+  // Spots on one sphere around the middle.
   Spots on_sphere(std::size_t count, std::size_t dimension, Whole same_weight) {
     std::array<int, 3> steps{};
     for (std::size_t k = 0; k < dimension; ++k) steps[k] = 1 + std::abs(whole(reach_ - 1));
@@ -145,7 +145,7 @@ class Lattice {
     }
     return spots;
   }
-  Whole square() const { return square_; }  // of that sphere's radius
+  Whole square() const { return square_; }  // square of that sphere's radius
   Spots either(std::size_t count, std::size_t dimension, bool weighted) {
     return draw_.coin() ? anywhere(count, dimension, weighted)
                         : on_sphere(count, dimension, weighted ? weight() : 0);
@@ -167,7 +167,7 @@ class Lattice {
   std::array<Wholes, 3> frame_{{{1, 2, 2}, {2, 1, -2}, {2, -2, 1}}};
 };
 
-// Whether the first spots span what they should.
+// Whether the first spots span a line, plane or space, as they should.
 bool spans(const Spots& spots, std::size_t dimension) {
   return dimension == 0 || sphere_of(spots, dimension + 1).part != 0;
 }
@@ -176,8 +176,8 @@ void turn_positive(Spots& spots) {
   if (orientation(spots) < 0) std::swap(spots[0], spots[1]);
 }
 
-// To the rounding of the sums it takes in double precision. What CGAL calls exact is rounded so,
-// too, unless that is more than 1e-5 of the number: Lazy_exact_nt::to_double.
+// Expects equality up to the rounding of sums in double precision. CGAL rounds its exact numbers in
+// this way, too, unless that is more than 1e-5 of the number: Lazy_exact_nt::to_double.
 void expect_centre(const CgalPoint& found, const Spots& spots, std::size_t count, bool exact) {
   constexpr long double kLazy = 1e-5L;
   const Sphere sphere = sphere_of(spots, count);
@@ -218,7 +218,7 @@ TEST(ExactGeometry, CentresOfFourPoints) {
   EXPECT_GT(flat, 20);
 }
 
-// In the plane of the points, whichever of them comes first.
+// The centre lies in the plane of the points, whichever of them comes first.
 TEST(ExactGeometry, CentresOfThreePoints) {
   Draw draw(2);
   const MeshGeometry::Construct_weighted_circumcenter_3 centre;
@@ -255,7 +255,7 @@ TEST(ExactGeometry, RadiiOfTwoPoints) {
   }
 }
 
-// Counts answers of each sign, so that a drawing without ties is seen.
+// Counts answers of each sign, so that a sample without ties would be noticed.
 struct Tally {
   std::array<int, 3> seen{};
   void compare(int found, int expected) {
@@ -355,7 +355,7 @@ TEST(ExactGeometry, DualRaysLeaveTheCentreAwayFromTheLastPoint) {
     Spots s = Lattice(draw, kFar).either(4, 3, true);
     if (!spans(s, 3)) continue;
     turn_positive(s);
-    std::swap(s[0], s[1]);  // the last one is below the others' plane, as they are turned
+    std::swap(s[0], s[1]);  // the last one is below the plane of the others
     const CgalKernel::Ray_3 ray =
         offline::exact_dual_ray(ball(s[0]), ball(s[1]), ball(s[2]), ball(s[3]));
     expect_centre(ray.source(), s, 4, true);
@@ -363,7 +363,7 @@ TEST(ExactGeometry, DualRaysLeaveTheCentreAwayFromTheLastPoint) {
     const Whole most = std::max({up[0], -up[0], up[1], -up[1], up[2], -up[2]});
     const CgalKernel::Vector_3 normal(static_cast<double>(up[0]), static_cast<double>(up[1]),
                                       static_cast<double>(up[2]));
-    // Where the ray goes is kept as a second point, with the rounding of one so far away.
+    // The ray's direction is kept as a second point, with the rounding of a point so far away.
     const CgalKernel::Vector_3 way = ray.second_point() - ray.source();
     const double rounding = kRounding * std::sqrt((ray.source() - CGAL::ORIGIN).squared_length() +
                                                   way.squared_length());
@@ -379,7 +379,7 @@ void expect_near(const CgalPoint& found, const CgalPoint& expected) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 2e-5 * std::fabs(expected[k]));
 }
 
-// Triangulations of drawn balls: the same duals as CGAL's own.
+// Triangulations of random balls have the same duals as CGAL's own.
 TEST(ExactGeometry, DualsOfTriangulations) {
   using Regular = CGAL::Regular_triangulation_3<CgalKernel>;
   Draw draw(9);
@@ -412,7 +412,7 @@ TEST(ExactGeometry, DualsOfTriangulations) {
   EXPECT_GT(segments, 100);
 }
 
-// A box whose triangles are turned at random encloses its volume again.
+// A box with some triangles turned at random encloses its volume again.
 TEST(OutwardSurface, TurnsTriangles) {
   Draw draw(10);
   for (int run = 0; run < 50; ++run) {

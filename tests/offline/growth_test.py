@@ -15,9 +15,10 @@ import unittest
 import numpy
 
 TOOL = pathlib.Path(os.environ.get("STYLET_BIN", "build/bin")) / "stylet-organ"
-LINEAR = 1.5  # largest growth of the cost of one more, from the small half to the large one
-# Builds of a second are timed so often, in turn, and the least counts: what runs beside them makes
-# them slower only. (Instructions cannot be counted: CGAL needs rounding modes that valgrind lacks.)
+LINEAR = 1.5  # largest ratio of the cost of one more, large half to small half
+# Builds of a second are timed so often, in turn, and the shortest time counts: other processes can
+# only make them slower. (Instructions cannot be counted: CGAL needs rounding modes that valgrind
+# lacks.)
 ROUNDS = 5
 
 
@@ -27,7 +28,7 @@ def write_ball(path, triangles, diameter_mm):
     rings = triangles // (2 * columns) + 1
     polar, around = numpy.meshgrid(numpy.linspace(0, numpy.pi, rings + 1),
                                    numpy.linspace(0, 2 * numpy.pi, columns + 1), indexing="ij")
-    around[:, -1] = 0  # the seam's points are the same to the bit
+    around[:, -1] = 0  # points at the seam are equal to the bit
     radius = diameter_mm / 2
     sine = numpy.sin(polar)
     sine[0] = sine[-1] = 0
@@ -47,7 +48,7 @@ def write_ball(path, triangles, diameter_mm):
 
 
 def ball(path, triangles, diameter_mm=120):
-    """In a process of its own: a child's peak memory counts what its parent had before."""
+    """In a separate process, because a child's peak memory includes what its parent had before."""
     done = subprocess.run([sys.executable, __file__, "ball", path, str(triangles),
                            str(diameter_mm)], check=True, capture_output=True, text=True)
     return int(done.stdout)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// stylet-organ hull: obstacles from meshes, as close as they say, and one line where there is none.
+// stylet-organ hull: obstacles from meshes, as close as reported; a refusal is one line.
 #include "meshes/hull.h"
 
 #include <algorithm>
@@ -57,8 +57,8 @@ std::vector<std::vector<char>> litter(std::uint64_t seed) {
   return blocks;
 }
 
-// Of voxels many corners lie in one plane, equally far from a body. If the hull's order followed
-// addresses, it would choose different ones each time.
+// In a surface of voxels many corners lie in one plane, equally far from a body. If the hull's
+// order depended on addresses, it would choose different ones each time.
 TEST(Hull, IsTheSameWhateverLiesInTheHeap) {
   std::vector<Vec> corners;
   for (int z = -9; z <= 9; ++z) {
@@ -97,7 +97,8 @@ TEST(Hull, OfABallIsAsCloseAsItSays) {
       EXPECT_NE(std::find(ball.points.begin(), ball.points.end(), v), ball.points.end());
     }
   }
-  // 64 even points leave caps of about 0.35 rad: 30 mm (1 - cos 0.35) = 1.8 mm; greedy ones more.
+  // 64 evenly spread points leave caps of about 0.35 rad: 30 mm (1 - cos 0.35) = 1.8 mm; points
+  // chosen greedily leave more.
   EXPECT_LT(last, 3.6e-3);
 }
 
@@ -131,7 +132,7 @@ TEST(Hull, OfRealBonesIsWithinTwoMillimetres) {
   }
 }
 
-// Seconds of this process's own time, the least of five.
+// Seconds of this process's own time, the shortest of five.
 double seconds_for_ball(std::size_t count) {
   std::mt19937_64 engine(count);
   std::normal_distribution<double> draw;
@@ -149,16 +150,16 @@ double seconds_for_ball(std::size_t count) {
   return least;
 }
 
-// Every point is a vertex of the hull: the most there is to choose from.
-TEST(HullTimed, TakesAsMuchLongerAsThereAreMorePoints) {
+// Every point is a vertex of the hull, which is the largest possible choice.
+TEST(HullTimed, TakesTimeInProportionToThePoints) {
   const double few = seconds_for_ball(8000), many = seconds_for_ball(32000);
   std::printf("8000 points: %.3f s; 32 000: %.3f s\n", few, many);
-  // n log n would be 4.6 times as long, a square 16 times; the bound lies half-way between 4 and
-  // 16, in powers.
+  // n log n would take 4.6 times as long, n^2 16 times; the bound is the geometric mean of 4 and
+  // 16.
   EXPECT_LT(many, 8 * few);
 }
 
-TEST(Hull, RefusesWhatHasNoInside) {
+TEST(Hull, RefusesPointsWithoutAnInside) {
   EXPECT_EQ(offline::hull_volume_m3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 0);
   const auto refusal = [](const std::vector<Vec>& points) -> std::string {
     try {
@@ -204,7 +205,7 @@ TEST(Hull, ProgramWritesTheSameTomlTwice) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '['), 21);
 }
 
-TEST(Hull, ProgramSaysNoInOneLineAndLeavesNothing) {
+TEST(Hull, ProgramRefusesInOneLineAndLeavesNothing) {
   const Scratch scratch;
   const auto flat =
       scratch.write("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of an organ file, whoever wrote it, against what the file was made of.
+// What `stylet-organ info` says of an organ file, whoever wrote it, against what the file was made
+// of.
 #include "report/info.h"
 
 #include <gmock/gmock.h>
@@ -25,8 +26,8 @@ std::vector<std::byte> bytes_of(const format::OrganT& organ) {
   return {bytes, bytes + builder.GetSize()};
 }
 
-// A box of 6 x 4 x 2 voxels of 5 mm, as the format also allows it: without anything that a file may
-// leave out, and of version 1, which has no sum.
+// A box of 6 x 4 x 2 voxels of 5 mm in the smallest file that the format allows: without anything
+// that a file may leave out, and of version 1, which has no checksum.
 format::OrganT barest() {
   offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
@@ -46,7 +47,7 @@ format::OrganT barest() {
   return organ;
 }
 
-TEST(Info, OfTheBarestFileSaysWhatThereIs) {
+TEST(Info, OfTheBarestFileSaysWhatItContains) {
   const auto bytes = bytes_of(barest());
   const Organ organ = offline::open_organ("bare.organ", bytes);
   const auto facts = offline::organ_facts(organ, bytes);
@@ -65,7 +66,7 @@ TEST(Info, OfTheBarestFileSaysWhatThereIs) {
   EXPECT_THAT(text, Not(HasSubstr("made by")));
 }
 
-TEST(Info, OriginsThatSayNothingAreShownEmpty) {
+TEST(Info, EmptyOriginsAreShownEmpty) {
   format::OrganT organ = barest();
   organ.provenance = std::make_unique<format::ProvenanceT>();
   const auto unsaid = bytes_of(organ);
@@ -83,7 +84,7 @@ TEST(Info, OriginsThatSayNothingAreShownEmpty) {
   EXPECT_THAT(offline::organ_text(all), HasSubstr("priority -7) as , sha256 \n"));
 }
 
-TEST(Info, AFileOfVersionTwoHasTheSumOfItsBytes) {
+TEST(Info, AFileOfVersionTwoHasTheChecksumOfItsBytes) {
   format::OrganT organ = barest();
   organ.format_version = 2;
   const auto bytes = bytes_of(organ);
@@ -104,7 +105,7 @@ TEST(Info, WhatTheKernelWouldNotOpenIsNotWritten) {
   }
 }
 
-// A box, and beside it a band that is joined to itself the wrong way round (Moebius).
+// A box, and beside it a Moebius band.
 TEST(Info, OfASurfaceWithOneSideSaysThatRaysVote) {
   offline::Mesh mesh = box_mesh({0, 0, 0}, {40, 40, 40});
   constexpr std::uint32_t kParts = 24;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NRRD packed by bzip2: drawn labels, in every type of number and byte order, in one stream or
-// several, attached or in files of their own. And streams that are not bzip2, end early, or hold
+// NRRD packed by bzip2: random labels, in every type of number and byte order, in one stream or
+// several, attached or in separate files. And streams that are not bzip2, end early, or contain
 // something else than the header says.
 #include <bzlib.h>
 #include <gmock/gmock.h>
@@ -81,7 +81,7 @@ void expect_labels_as(const char* type) {
   }
 }
 
-TEST(Bzip2, EveryTypeOfNumberHoldsLabels) {
+TEST(Bzip2, LabelsAreReadFromEveryTypeOfNumber) {
   expect_labels_as<std::int8_t>("signed char");
   expect_labels_as<std::uint8_t>("uchar");
   expect_labels_as<std::int16_t>("short");
@@ -109,7 +109,7 @@ TEST(Bzip2, LayersOfSlicerAreRead) {
   EXPECT_EQ(map.names, (offline::LabelNames{{1, "Liver"}, {2, "Vein"}}));
 }
 
-TEST(Bzip2, ValuesOfNoSegmentAreTold) {
+TEST(Bzip2, ValuesOfNoSegmentAreReported) {
   const Scratch scratch;
   const auto file = [&](const char* value) {
     return scratch.write(
@@ -131,7 +131,7 @@ TEST(Bzip2, ValuesOfNoSegmentAreTold) {
               testing::HasSubstr("Segment0_LabelValue 0: expected 1 to 65535"));
 }
 
-// Layers lie on any of the axes that are not in space.
+// Layers may be along any axis that is not spatial.
 TEST(Bzip2, LayersOnAnyAxisAreRead) {
   const Scratch scratch;
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -151,7 +151,7 @@ TEST(Bzip2, LayersOnAnyAxisAreRead) {
       segments += fmt::format("Segment{0}_ID:=s{0}\nSegment{0}_Name:=S{0}\n", layer);
       segments += fmt::format("Segment{0}_LabelValue:=1\nSegment{0}_Layer:={0}\n", layer);
     }
-    // The layer of each voxel that is set; in the file, the first axis is the fastest.
+    // The layer of each labelled voxel; in the file the first axis is the fastest.
     std::vector<std::uint16_t> expected;
     for (std::size_t i = 0; i < size[0] * size[1] * size[2]; ++i) {
       expected.push_back(static_cast<std::uint16_t>(draw.below(layers + 1)));
@@ -178,9 +178,9 @@ TEST(Bzip2, LayersOnAnyAxisAreRead) {
   }
 }
 
-// Lines are skipped in each file before it is unpacked, bytes in what it unpacks to: so it says in
-// teem's encodingBzip2.c, by which ITK and 3D Slicer read.
-TEST(Bzip2, WhatIsToBeSkippedIs) {
+// Lines are skipped in each file before it is unpacked, bytes after that: as in teem's
+// encodingBzip2.c, with which ITK and 3D Slicer read.
+TEST(Bzip2, LinesAndBytesAreSkipped) {
   const Scratch scratch;
   Draw draw(3);
   std::string voxels;
@@ -215,8 +215,8 @@ TEST(Bzip2, WhatIsToBeSkippedIs) {
   EXPECT_THAT(said("byte skip: 1 2\n", packed(voxels)), HasSubstr("expected one number"));
 }
 
-// Streams cut at every place, and with bytes changed: none is taken for whole.
-TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
+// Streams that are cut at any place or have changed bytes: none is taken for complete.
+TEST(Bzip2, CutOrDamagedStreamsAreRefusedWithThePlace) {
   const Scratch scratch;
   Draw draw(5);
   std::string voxels;
@@ -227,7 +227,7 @@ TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
                 AnyOf(HasSubstr(" unpacked bytes: "), HasSubstr(" bytes of voxels")))
         << size;
   }
-  // Except for the digit that says how large blocks may be, and bits that fill up the last byte.
+  // Except for the digit that gives the size of blocks, and the bits that fill up the last byte.
   constexpr std::size_t kDigit = 3;
   for (int round = 0; round < 200; ++round) {
     std::string damaged = whole;
@@ -243,7 +243,7 @@ TEST(Bzip2, WhatEndsOrIsDamagedIsRefusedWithThePlace) {
       HasSubstr("damaged after 1 unpacked bytes"));
 }
 
-TEST(Bzip2, OtherVoxelsThanTheHeaderSpeaksOfAreRefused) {
+TEST(Bzip2, OtherVoxelsThanTheHeaderAnnouncesAreRefused) {
   const Scratch scratch;
   const auto said = [&](const char* type, const char* sizes, const char* more, std::size_t bytes) {
     return refusal_of(scratch.write(
@@ -273,7 +273,7 @@ TEST(Bzip2, OtherVoxelsThanTheHeaderSpeaksOfAreRefused) {
 
 // Headers that claim 250 million voxels, over a few bytes; and half a gigabyte of zeros in 500
 // bytes, over a header that claims 64 voxels.
-TEST(Bzip2, CostsWhatIsThereNotWhatIsClaimed) {
+TEST(Bzip2, CostsGrowWithTheBytesNotWithTheClaim) {
   const Scratch scratch;
   const auto start = std::chrono::steady_clock::now();
   const std::string some = packed(std::string(1000, '\0'));

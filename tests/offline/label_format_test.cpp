@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What headers of label maps claim is compared with the bytes there are, and with itself. Maps and
-// frames are drawn at random; expected places come from rotations written as axis and angle.
+// What headers of label maps claim is compared with the existing bytes, and must not contradict
+// itself. Maps and frames are random; expected positions come from rotations given as axis and
+// angle.
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <zlib.h>
@@ -33,7 +34,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // ---- what is counted ---------------------------------------------------------------------------
 
-// Each voxel, where it lies in space.
+// Each voxel counts at its position in space.
 TEST(LabelMap, CountsEachLabelAndSaysWhereItsMiddleIs) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     Draw draw(seed);
@@ -95,8 +96,9 @@ std::string inr(const Sizes& n, const std::string& voxels) {
   return head + "##}\n" + voxels;
 }
 
-// The same voxels in every spelling, first right and then with a header that claims more.
-TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
+// The same voxels in every spelling, first with a correct header and then with one that claims
+// more.
+TEST(LabelHeader, MustNotClaimMoreVoxelsThanThereAre) {
   const Scratch scratch;
   std::mt19937 random(11);
   for (int round = 0; round < 40; ++round) {
@@ -119,7 +121,7 @@ TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
       const LabelMap map = offline::read_label_map(path);
       EXPECT_EQ(std::string(map.label.begin(), map.label.end()), voxels) << path;
     }
-    // Sizes far larger than there are voxels, negative, or so large that their products wrap.
+    // Sizes for far more voxels than there are, negative ones, and ones whose products overflow.
     const char* const wrong[] = {
         "40000", "-1",  "0", "4294967296", "65536", "-40000", "99999999999999999999", "x",
         "2.5",   "1e3", ""};
@@ -131,8 +133,8 @@ TEST(LabelHeader, SpeaksOfTheVoxelsThatAreThere) {
   }
 }
 
-// With these a library would take gigabytes of memory for a file of 200 bytes, or never come back.
-TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
+// With these a library would take gigabytes of memory for a file of 200 bytes, or never return.
+TEST(LabelHeader, CostsGrowWithTheBytesNotWithTheClaim) {
   const Scratch scratch;
   const Sizes large = {"16384", "16384", "1"}, small = {"2", "2", "2"};
   const std::pair<std::string, const char*> files[] = {
@@ -192,8 +194,9 @@ TEST(LabelHeader, CostsWhatIsThereNotWhatIsClaimed) {
 #endif
 }
 
-// Deflate's longest match, of 258 bytes, takes two bits at least: a length and a distance.
-TEST(LabelHeader, SpeaksOfNoMoreThanItsBytesCanHold) {
+// Deflate's longest match, of 258 bytes, takes at least two bits: one for its length, one for its
+// distance.
+TEST(LabelHeader, MustNotClaimMoreThanItsBytesCanContain) {
   std::mt19937_64 engine(3);
   for (int round = 0; round < 200; ++round) {
     const std::uint64_t held = 1 + engine() % 1000;
@@ -214,7 +217,7 @@ TEST(LabelHeader, SpeaksOfNoMoreThanItsBytesCanHold) {
 
 // MetaIO copies texts, also those of digits, into fields of 255 characters; CGAL takes lines of
 // 255.
-TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
+TEST(LabelHeader, TextsAreNoLongerThanTheirReadersAllow) {
   const Scratch scratch;
   const Sizes n = {"2", "2", "2"};
   for (const std::string key : {"Comment", "Name", "AcquisitionDate", "Modality", "Anything"}) {
@@ -259,16 +262,16 @@ TEST(LabelHeader, TextsAreNoLongerThanTheirReadersTake) {
   EXPECT_THAT(header(256), HasSubstr("header line 9: expected at most 255 characters"));
 }
 
-// The end of what the library says tells why; what comes before names its own functions.
+// The end of the library's message tells why; the beginning only names its own functions.
 TEST(LabelHeader, OfAFileThatALibraryCannotReadSaysItsReason) {
   const Scratch scratch;
   EXPECT_THAT(refusal_of(scratch.write("a.nrrd", nrrd({"2", "2", "2"}, "raw", "abcdefg"))),
               testing::ContainsRegex("a.nrrd: cannot be read: .*fread got only 7 .*, not 8"));
 }
 
-// The first and last characters of each length, and those that table 3-7 of the Unicode Standard
-// leaves out.
-TEST(LabelNames, OfBytesThatAreNoCharacterShowAQuestionMarkForEach) {
+// The first and last characters of each length, and byte sequences that table 3-7 of the Unicode
+// Standard excludes.
+TEST(LabelNames, ShowAQuestionMarkForEachByteThatIsNoCharacter) {
   const std::pair<std::string, std::string> shown[] = {
       {"Gr\xc3\xb6\xc3\x9f"
        "e",
@@ -292,7 +295,7 @@ TEST(LabelNames, OfBytesThatAreNoCharacterShowAQuestionMarkForEach) {
   for (const auto& [name, expected] : shown) EXPECT_EQ(offline::printable(name), expected);
 }
 
-// As MetaIO and teem have them: names of types, whether their numbers are real, bytes of each.
+// MetaIO's and teem's names of types, whether their numbers are real, and their bytes.
 struct Type {
   std::vector<std::string> names;
   bool real;
@@ -347,7 +350,7 @@ TEST(LabelHeader, KnowsTheBytesOfEveryTypeOfNumber) {
       const LabelMap map = offline::read_label_map(file(voxels.size()));
       for (std::size_t i = 0; i < 512; ++i) ASSERT_EQ(map.label[i], i % 8) << name;
       EXPECT_EQ(map.step_m, (std::array{Vec{1e-3, 0, 0}, Vec{0, 1e-3, 0}, Vec{0, 0, 1e-3}}));
-      // Half the size: with the header there are more bytes than numbers of half the size would
+      // Half the size: the file, header included, has more bytes than numbers of half the size
       // need.
       EXPECT_THAT(refusal_of(file(voxels.size() / 2)),
                   HasSubstr(fmt::format("8 x 8 x 8 voxels of {} bytes: ", type.bytes)))
@@ -356,7 +359,7 @@ TEST(LabelHeader, KnowsTheBytesOfEveryTypeOfNumber) {
   }
 }
 
-TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
+TEST(LabelHeader, OfSeveralFilesHasTheBytesOfAll) {
   const Scratch scratch;
   const auto header = scratch.write(
       "a.nhdr",
@@ -376,7 +379,7 @@ TEST(LabelHeader, OfSeveralFilesHasTheSumOfAll) {
 struct Nifti {
   std::array<double, 8> pixdim{1, 1, 1, 1, 0, 0, 0, 0};
   int qform_code = 0, sform_code = 0, units = 2, datatype = 2, version = 1;
-  double voxels_at = -1, slope = 1, inter = 0;  // -1: where they are
+  double voxels_at = -1, slope = 1, inter = 0;  // -1: the right value
   std::array<double, 3> quatern{}, qoffset{};
   std::array<double, 12> srow{};
   std::string extension;
@@ -430,9 +433,10 @@ std::string bytes_of(const Nifti& n) {
   return head + flag + n.extension + n.voxels;
 }
 
-// A rotation about an axis (Rodrigues), spacings, a handedness and a place, in every field.
+// A rotation about an axis (Rodrigues), spacings, a handedness and a position, in every field of
+// the header.
 struct Placed {
-  std::array<Vec, 3> step_mm;  // to the right, front, head
+  std::array<Vec, 3> step_mm;  // to the right, the front, the head
   Vec origin_mm;
 };
 
@@ -470,7 +474,7 @@ void expect_place(const LabelMap& map, const Placed& placed, double metres_per_u
   for (std::size_t i = 0; i < 3; ++i) near(map.step_m[i], placed.step_mm[i]);
 }
 
-TEST(Nifti, LiesWhereEitherFormSaysInEitherVersionByteOrderAndUnit) {
+TEST(Nifti, LiesWhereEitherFormSaysInAnyVersionByteOrderAndUnit) {
   const Scratch scratch;
   std::mt19937 random(5);
   for (int round = 0; round < 100; ++round) {
@@ -526,7 +530,7 @@ TEST(Nifti, FormsThatContradictEachOtherAreNamed) {
   }
 }
 
-TEST(Nifti, NumbersThatAreNoneAreNamed) {
+TEST(Nifti, InvalidNumbersAreNamed) {
   const Scratch scratch;
   std::mt19937 random(7);
   Nifti good;
@@ -577,7 +581,7 @@ TEST(Nifti, NumbersThatAreNoneAreNamed) {
   EXPECT_THAT(refusal_of(scratch.write("a.nii", bytes_of(n))), HasSubstr("voxel 7: nan: expected"));
 }
 
-// The same labels as each type of number, in both versions and byte orders.
+// The same labels in each type of number, in both versions and byte orders.
 template <typename T>
 void expect_labels_as(std::mt19937& random, int datatype) {
   const Scratch scratch;
@@ -601,7 +605,7 @@ void expect_labels_as(std::mt19937& random, int datatype) {
   }
 }
 
-TEST(Nifti, EveryTypeOfNumberHoldsLabels) {
+TEST(Nifti, LabelsAreReadFromEveryTypeOfNumber) {
   std::mt19937 random(23);
   expect_labels_as<std::uint8_t>(random, 2);
   expect_labels_as<std::int16_t>(random, 4);
@@ -615,7 +619,7 @@ TEST(Nifti, EveryTypeOfNumberHoldsLabels) {
   expect_labels_as<std::uint64_t>(random, 1280);
 }
 
-// One word of a good header, another one.
+// One word of a good header is replaced.
 TEST(Nifti, HeadersOfNoVolumeAreRefused) {
   const Scratch scratch;
   const auto with = [&](int version, std::size_t at, auto value) {
@@ -674,8 +678,8 @@ TEST(Gzip, MembersFollowEachOther) {
             std::vector<std::uint16_t>(24, 1));
 }
 
-// Of members of any length, more and less than the block of a megabyte that is unpacked at a time.
-TEST(Gzip, AsManyBytesAreUnpackedAsAreWanted) {
+// Members are longer and shorter than the block of a megabyte that is unpacked at a time.
+TEST(Gzip, AsManyBytesAreUnpackedAsAreAskedFor) {
   std::mt19937 random(17);
   const auto up_to = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n)(random);
@@ -696,7 +700,7 @@ TEST(Gzip, AsManyBytesAreUnpackedAsAreWanted) {
 
 // Half a gigabyte of zeros in half a megabyte, behind an image of 24 voxels: no more memory is
 // taken than the image needs.
-TEST(Gzip, NoMoreIsUnpackedThanTheHeaderSpeaksOf) {
+TEST(Gzip, NoMoreIsUnpackedThanTheHeaderAnnounces) {
   const Scratch scratch;
   const auto most_kb = [] {
     rusage used{};
@@ -716,7 +720,7 @@ TEST(Gzip, NoMoreIsUnpackedThanTheHeaderSpeaksOf) {
   EXPECT_LT(most_kb() - before_kb, 64 * 1024);
 }
 
-TEST(Nifti, SlopesThatGiveWholeNumbersAreTaken) {
+TEST(Nifti, SlopesThatGiveWholeNumbersAreAccepted) {
   const Scratch scratch;
   Nifti n;
   n.qform_code = 1;
@@ -727,7 +731,7 @@ TEST(Nifti, SlopesThatGiveWholeNumbersAreTaken) {
   n.inter = 0;
   n.voxels.assign(24, '\x64');
   EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 10);
-  n.slope = 0;  // not scaled
+  n.slope = 0;  // 0: not scaled
   EXPECT_EQ(offline::read_label_map(scratch.write("a.nii", bytes_of(n))).label.front(), 100);
 }
 
@@ -739,7 +743,7 @@ TEST(Nifti, WithoutAFrameSaysThatLeftAndRightAreUnknown) {
 
 // ---- names --------------------------------------------------------------------------------------
 
-// As TotalSegmentator and the Connectome Workbench write them.
+// Names of labels as TotalSegmentator and the Connectome Workbench write them.
 std::string label_table(const offline::LabelNames& names) {
   std::string xml = "<?xml version=\"1.0\"?><CaretExtension><VolumeInformation><LabelTable>";
   for (const auto& [label, name] : names) {
@@ -784,8 +788,8 @@ TEST(Nifti, NamesItsLabels) {
   }
 }
 
-// A key that is not a label, and elements that are not labels, name nothing; text in other elements
-// is no name.
+// Keys that are no labels, and elements that are no labels, name nothing; text in other elements is
+// no name.
 TEST(Nifti, TakesOnlyNamesOfLabels) {
   const Scratch scratch;
   Nifti n;
@@ -800,7 +804,8 @@ TEST(Nifti, TakesOnlyNamesOfLabels) {
             (offline::LabelNames{{7, "vena"}}));
 }
 
-// In one table or two, with anything between them: a value has one name, or the file is refused.
+// In one table or in two, with anything between them, each value has one name, or the file is
+// refused.
 TEST(Nifti, TwoNamesForOneLabelAreRefusedWithBoth) {
   const Scratch scratch;
   std::mt19937 random(12);
@@ -900,8 +905,8 @@ TEST(Nrrd, SegmentsInLayersAreAllRead) {
   }
 }
 
-// Sizes that are too small would shift every voxel but the first row.
-TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
+// Sizes that are too small would shift every voxel except those of the first row.
+TEST(LabelHeader, MoreVoxelsThanItAnnouncesAreRefused) {
   const Scratch scratch;
   const std::string nrrd =
       "NRRD0004\ntype: ushort\ndimension: 3\nspacings: 1 1 1\nsizes: 3 2 2\n"
@@ -940,14 +945,14 @@ TEST(LabelHeader, MoreVoxelsThanItSpeaksOfAreRefused) {
   tail.voxels = std::string(24 + 5, '\1');
   EXPECT_THAT(offline::read_label_map(scratch.write("a.nii", bytes_of(tail))).notes,
               testing::Contains(HasSubstr("5 bytes behind its voxels: not read")));
-  scratch.write("v.raw", more);  // said to be in front
+  scratch.write("v.raw", more);  // the header says that bytes are in front
   (void)offline::read_label_map(scratch.write("b.nhdr", nrrd + "byteskip: 2\ndata file: v.raw\n"));
   (void)offline::read_label_map(
       scratch.write("b.mhd", meta + "HeaderSize = -1\nElementDataFile = v.raw\n"));
 }
 
-// The same where something is to be skipped first: lines, then bytes, in each file.
-TEST(LabelHeader, SurplusBehindWhatIsSkippedIsRefused) {
+// The same if something is skipped first in each file: lines, then bytes.
+TEST(LabelHeader, SurplusAfterSkippedBytesIsRefused) {
   const Scratch scratch;
   std::mt19937 engine(29);
   const std::string nrrd =
@@ -983,11 +988,11 @@ TEST(LabelHeader, SurplusBehindWhatIsSkippedIsRefused) {
   }
 }
 
-// What was printed before comes out, and what comes after it; of what a library prints, nothing.
-TEST(Silence, TakesNothingButWhatIsPrintedInIt) {
+// Output from before and after comes out; output of a library in between does not.
+TEST(Silence, HidesOnlyWhatIsPrintedDuringIt) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  std::cerr << "c";  // first, as it writes out what std::cout has
+  std::cerr << "c";  // first, because it flushes std::cout
   std::cout << "a";
   std::printf("b");
   {

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Where NRRD, MetaImage and Inrimage lie, by every field of their headers that speaks of it.
+"""The frames of NRRD, MetaImage and Inrimage, by every field of their headers that concerns them.
 
-Maps, spacings, rotations and origins are drawn; expected volumes and centroids are numpy's, from
-the definitions of the formats. What a header leaves open is a warning or a refusal, never silence.
+Maps, spacings, rotations and origins are random; expected volumes and centroids are computed by
+numpy from the definitions of the formats. If a header leaves something open there is a warning or a
+refusal, never silence.
 
 usage: label_frame_test.py [CASE]   (STYLET_BIN)
 """
@@ -24,7 +25,7 @@ except ImportError:
 
 TOOL = pathlib.Path(os.environ.get("STYLET_BIN", "build/release/bin")) / "stylet-organ"
 UNKNOWN = "left and right are not known"
-# What a step along each axis of a space is in LPS.
+# A step along each axis of a space, in LPS.
 SPACES = {"left-posterior-superior": (1, 1, 1), "LPS": (1, 1, 1),
           "right-anterior-superior": (-1, -1, 1), "ras": (-1, -1, 1),
           "left-anterior-superior": (1, -1, 1), "LAS": (1, -1, 1),
@@ -59,7 +60,7 @@ class Case(unittest.TestCase):
         self.origin = self.random.uniform(-300, 300, 3)
 
     def changed(self, path, old, new):
-        """The file with one part of its header another one."""
+        """The file with one part of its header replaced."""
         whole = path.read_bytes()
         self.assertIn(old, whole)
         path.write_bytes(whole.replace(old, new, 1))
@@ -70,7 +71,7 @@ class Case(unittest.TestCase):
                               timeout=60)
 
     def held(self, path, steps, origin, *notes):
-        """The map lies there, and its reader says this and no more."""
+        """Checks that the map lies there, and that its reader says this and nothing else."""
         done = self.run_labels(path)
         self.assertEqual(done.returncode, 0, done.stderr)
         facts = json.loads(done.stdout)
@@ -97,7 +98,7 @@ class Case(unittest.TestCase):
 
 class Nrrd(Case):
     def write(self, *lines, space="LPS", steps=None, origin=True, shape=None):
-        """Without `space` no directions, too."""
+        """A header without `space` has no directions either."""
         steps = self.steps if steps is None else steps
         head = ["NRRD0005", "type: uint8", f"dimension: {len(shape or self.map.shape)}"]
         head += [f"space: {space}"] if space else []
@@ -168,10 +169,10 @@ class Nrrd(Case):
             with self.subTest(lines):
                 self.refused(self.write(*lines, space=None), "spac", "expected")
 
-    def test_no_origin_is_said(self):
+    def test_a_missing_origin_is_reported(self):
         self.held(self.write(origin=False), self.steps, numpy.zeros(3), "no space origin")
 
-    def test_directions_that_are_none(self):
+    def test_invalid_directions(self):
         path = self.write()
         for wrong in ("none (1,0,0) (0,1,0)", "(1,0,0) (0,1,0)", "(1,0) (0,1) (0,0)",
                       "(1,0,0) (0,1,0) (0,nan,1)", "(1,0,0) (0,1,0) (0,0,1", "1 0 0"):
@@ -196,7 +197,8 @@ class Nrrd(Case):
                     self.held(path, self.steps, self.origin)
 
     def test_voxels_in_files_of_their_own(self):
-        """By name, as a list, and numbered, a file for each plane; lines may end as in Windows."""
+        """By name, as a list, and numbered, with a file for each plane; lines may end as on
+        Windows."""
         planes = [self.map[:, :, z].tobytes("F") for z in range(self.map.shape[2])]
         head = self.write().read_bytes().split(b"\n\n", 1)[0]
         header, last = self.folder / "a.nhdr", len(planes)
@@ -207,7 +209,7 @@ class Nrrd(Case):
                 (self.folder / each).write_bytes(plane)
             for data in (f"{name} 1 {last} 1", "\n".join(["LIST", *names])):
                 if " " in names[0] and data.startswith("LIST"):
-                    continue  # NRRD's lists know no blanks
+                    continue  # NRRD's lists allow no blanks
                 header.write_bytes((head + b"\ndata file: " + data.encode() + b"\n")
                                    .replace(b"\n", end))
                 with self.subTest(data):
@@ -218,14 +220,15 @@ class Nrrd(Case):
                       "s% 1 2 1", "s%03 1 2 1", "s%", "s%d 1 2 -1", "s%d -1 2 1"):
             header.write_bytes(head + f"\ndata file: {wrong}\n".encode())
             self.refused(header, "expected")
-        # Up to 99 they were taken, and teem wrote behind the room it has for ten digits.
+        # Up to 99 were once accepted, and teem wrote beyond its buffer for ten digits.
         for digits in ("11", "011", "99", "100", "4294967297", "99999999999999999999"):
             header.write_bytes(head + f"\ndata file: s%{digits}d.raw 1 2 1\n".encode())
             self.refused(header, "expected a name with one %d or %0Nd, N at most 10")
 
     def test_files_hold_as_many_axes_as_the_header_says(self):
-        """Lines, planes, slabs of any thickness or all, named upwards and downwards: raw ones are
-        read by teem itself, as part of ITK, those of bzip2 and of text by us."""
+        """Files of lines, planes, slabs of any thickness or all voxels, numbered upwards and
+        downwards: raw ones are read by teem itself, as part of ITK, bzip2 and text by our own
+        code."""
         while self.map.shape[2] % 4 != 0:
             self.draw()
         head = self.write().read_bytes().split(b"\n\n", 1)[0]
@@ -267,7 +270,8 @@ class Nrrd(Case):
 
     def test_names_of_segments_are_those_of_utf_8(self):
         def shown(name):
-            """By Python's codec: what is no character of UTF-8, or none to be seen, is a '?'."""
+            """Expected by Python's codec: bytes that are no character of UTF-8, and characters that
+            cannot be shown, become '?'."""
             out = ""
             while name:
                 for size in range(1, 5):
@@ -297,7 +301,7 @@ class Nrrd(Case):
             self.assertEqual({each["label"]: each.get("name") for each in facts["labels"]}[1],
                              shown(name), name)
 
-    def test_keys_that_are_like_those_of_segments_name_nothing(self):
+    def test_keys_that_look_like_those_of_segments_name_nothing(self):
         path = self.changed(self.write(), b"\n\n", b"\nSegmentX_ID:=a\nSegment1x_ID:=b"
                             b"\nOther1_ID:=c\nSegment_ID:=d\nSegment00_Name:=e"
                             b"\nSegment01_ID:=f\n\n")
@@ -396,14 +400,14 @@ class MetaImage(Case):
             self.refused(self.write(f"DistanceUnits = {unit}"), f"DistanceUnits = {unit}",
                          "expected")
 
-    def test_what_is_not_said(self):
+    def test_fields_that_are_missing(self):
         self.held(self.write(spacing="ElementSize"), self.steps, self.origin)
         self.held(self.write("ElementSize = 9 9 9"), self.steps, self.origin)
         self.refused(self.write(spacing=None), "expected ElementSpacing")
         self.held(self.write(matrix=None), numpy.diag(self.spacing), self.origin, UNKNOWN)
         self.held(self.write(offset=None), self.steps, numpy.zeros(3), "no Offset")
 
-    def test_numbers_that_are_none(self):
+    def test_invalid_numbers(self):
         for wrong in ("1 1", "1 1 1 1", "1 x 1", "1 nan 1", "1 inf 1", "0 1 1", "1 0 1", "1 1 0",
                       "-1 1 1", "1 -1 1", "1 1 -1", ""):
             self.refused(self.write(f"ElementSpacing = {wrong}", spacing=None), "ElementSpacing",
@@ -414,7 +418,7 @@ class MetaImage(Case):
         self.refused(self.write("Offset = inf 1 2", offset=None), "expected")
         self.refused(self.write("ElementSpacing = 1e200 1e200 1e200", spacing=None), "expected")
 
-    def test_an_anatomical_orientation_that_contradicts_the_matrix_is_said(self):
+    def test_an_anatomical_orientation_that_contradicts_the_matrix_is_reported(self):
         ends = ("RL", "AP", "IS")  # where an axis of LPS comes from, and where it goes
         for _ in range(8):
             self.draw()
@@ -476,9 +480,9 @@ class MetaImage(Case):
             header.write_bytes(head + f"ElementDataFile = {wrong}\n".encode())
             self.refused(header, "expected")
         (self.folder / "all.raw").write_bytes(b"".join(planes))
-        header.write_bytes(head + b"ElementDataFile = LIST\nall.raw\n")  # the first plane, no other
+        header.write_bytes(head + b"ElementDataFile = LIST\nall.raw\n")  # only the first plane
         self.refused(header, "the voxels end or are damaged after")
-        for wrong in ("LIST 3", "LIST 2 2", "LIST two"):  # MetaIO reads nothing of the first
+        for wrong in ("LIST 3", "LIST 2 2", "LIST two"):  # of the first MetaIO would read nothing
             header.write_bytes(head + f"ElementDataFile = {wrong}\nall.raw\n".encode())
             self.refused(header, f"ElementDataFile = {wrong}: expected")
 
@@ -547,11 +551,11 @@ class Inrimage(Case):
                       numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
         path = self.write()
         whole = path.read_bytes()
-        text = whole[:252].rstrip(b"\n") + b"\nNOTE="  # no empty line before the end of the header
+        text = whole[:252].rstrip(b"\n") + b"\nNOTE="  # no empty line before the end
         path.write_bytes(text.ljust(251, b"x") + b"\n" + whole[252:])
         self.held(path, numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
         path = self.write()
-        path.write_bytes(path.read_bytes()[:-5])  # no more than what the header itself makes up for
+        path.write_bytes(path.read_bytes()[:-5])  # the header's own bytes would hide the loss
         self.refused(path, "the voxels end early")
         path.write_bytes(path.read_bytes()[:180].rstrip(b"\n") + b"\n")
         self.refused(path, "expected")
@@ -559,7 +563,7 @@ class Inrimage(Case):
         path.write_bytes(gzip.compress(b""))
         self.refused(path, "expected the header of an Inrimage")
 
-    def test_knows_no_directions_but_a_place(self):
+    def test_has_a_position_but_no_directions(self):
         self.spacing = self.spacing.astype(numpy.float32).round(4).astype(float)
         self.held(self.write(), numpy.diag(self.spacing), numpy.zeros(3), UNKNOWN)
         self.held(self.write("TX=10.5", "TY=-20", "TZ=30"), numpy.diag(self.spacing),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What label maps may hold besides their voxels: what real files have is read, and more than that
-// is refused or cut before a library spends minutes on it. What is held is drawn.
+// What label maps may contain besides their voxels: as much as real files have is read; more is
+// refused or cut before a library spends minutes on it. The contents are random.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -36,7 +36,7 @@ std::string nrrd_of(std::size_t labels, const std::string& more) {
 }
 constexpr std::size_t kLinesBefore = 7;
 
-// As 3D Slicer 5 writes them, whose terminology takes 200 to 400 characters.
+// Segments as 3D Slicer 5 writes them, with a terminology of 200 to 400 characters.
 std::string slicer_lines(Draw& draw, std::size_t segment) {
   const std::string key = fmt::format("Segment{}", segment);
   const std::string words(200 + draw.below(200), '~');
@@ -48,7 +48,7 @@ std::string slicer_lines(Draw& draw, std::size_t segment) {
       key, segment + 1, words);
 }
 
-TEST(NrrdHeader, OfAsManySegmentsAsThereMayBeIsRead) {
+TEST(NrrdHeader, WithTheMostSegmentsAllowedIsRead) {
   const Scratch scratch;
   Draw draw(1);
   std::string lines = "Segmentation_MasterRepresentation:=Binary labelmap\n";
@@ -60,7 +60,7 @@ TEST(NrrdHeader, OfAsManySegmentsAsThereMayBeIsRead) {
 }
 
 // teem compares each comment and each key with all before it.
-TEST(NrrdHeader, HasLinesAndBytesThatAreBounded) {
+TEST(NrrdHeader, HasALimitOfLinesAndBytes) {
   constexpr std::size_t kMostLines = 16'384, kMostBytes = 1U << 21U;
   const Scratch scratch;
   Draw draw(2);
@@ -70,7 +70,7 @@ TEST(NrrdHeader, HasLinesAndBytesThatAreBounded) {
   for (int run = 0; run < 4; ++run) {
     std::string lines, files = "data file: LIST\n";
     const bool comments = draw.coin();
-    // Without the first lines, the empty one at the end and the two that are added.
+    // Without the first lines, the empty line at the end, and the two that are added.
     for (std::size_t line = kLinesBefore + 3; line < kMostLines; ++line) {
       lines +=
           comments || draw.coin() ? fmt::format("# {}\n", line) : fmt::format("k{}:=1\n", line);
@@ -102,13 +102,13 @@ TEST(NrrdHeader, NamesFilesOfFourGibibytesAtMost) {
                 HasSubstr(fmt::format("its {} data files have {} bytes: expected at most {}", times,
                                       times * (kMost / times + 1), kMost)));
   }
-  // As many bytes as may be, with a hole in the list: the hole is what is told.
+  // As many bytes as allowed, with a file missing in the list: the missing file is reported.
   std::filesystem::resize_file(scratch.folder / "a.raw", kMost);
   EXPECT_THAT(refusal_of(scratch.write("a.nhdr", nrrd_of(1, "data file: LIST\nb.raw\na.raw\n"))),
               HasSubstr("b.raw: no such file"));
 }
 
-// To open one to look inside would wait for its writer.
+// Opening a pipe to look inside would wait for its writer.
 TEST(LabelMap, InAPipeIsRefusedAtOnce) {
   const Scratch scratch;
   for (const char* name : {"a", "a.dcm", "a.nrrd", "a.nii.gz"}) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of label readers: the line with which a file is refused, and bytes packed as files pack
-// them.
+// For tests of label readers: the line with which a file is refused, and packed bytes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@
 
 namespace stylet::test {
 
-// In one line; empty: it is read.
+// The refusal, in one line; empty: the file is read.
 inline std::string refusal_of(const std::filesystem::path& path) {
   try {
     (void)offline::read_label_map(path);
@@ -25,7 +24,7 @@ inline std::string refusal_of(const std::filesystem::path& path) {
   return "";
 }
 
-// In gzip's format; with a window of MAX_WBITS in zlib's.
+// Bytes in gzip's format; with a window of MAX_WBITS in zlib's.
 inline std::string deflated(const std::string& bytes, int window = 16 + MAX_WBITS) {
   std::string out(compressBound(bytes.size()) + 32, '\0');
   z_stream stream{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Label maps: they are where their headers say, files that are none are refused, and organs are
-// made of them.
+// Label maps: they lie where their headers say, other files are refused, and organs are made of
+// them.
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
@@ -103,7 +103,7 @@ struct RealMap {
   std::map<int, std::size_t> some_labels;
 };
 
-// Counts and spacings as the table beside the files gives them.
+// Expected counts and spacings are in the table beside the files.
 const RealMap kRealMaps[] = {
     {"ts_example_seg.nii.gz", 27, {{5, 38634}, {13, 1}, {117, 2100}}},
     {"ts_example_seg_roi_subset.nii.gz", 27, {{5, 38631}}},
@@ -144,7 +144,7 @@ TEST(RealMaps, HaveTheirCountsAndKeepTheirVolumes) {
   }
 }
 
-// Eight voxels of 100 mm, five of them labelled, small enough to count in the head.
+// Eight voxels of 100 mm, five of them labelled: few enough to count by hand.
 TEST(RealMaps, CornerOfThreeMaterialsIsFiveCubes) {
   const auto path = data_folder() / "labelmaps" / "cgal_12323.inr";
   SKIP_WITHOUT(path);
@@ -158,7 +158,7 @@ TEST(RealMaps, CornerOfThreeMaterialsIsFiveCubes) {
   }
 }
 
-TEST(RealMaps, ThatAreNoneAreRefusedForTheirReason) {
+TEST(RealMaps, OtherFilesAreRefusedWithTheReason) {
   const std::pair<const char*, const char*> traps[] = {
       {"ts_example_ct_sm.nii.gz", "-1024: expected labels, which are whole numbers from 0"},
       {"sofa_tooth_closed.mhd", "expected labels, which are whole numbers from 0"},
@@ -217,7 +217,7 @@ TEST(LabelMap, CutShortWithoutCompressionIsRefusedToo) {
   }
 }
 
-TEST(LabelMap, WhatIsNoVolumeOfLabelsIsRefused) {
+TEST(LabelMap, FilesWithoutAVolumeOfLabelsAreRefused) {
   const Scratch scratch;
   const auto refusal = [&](const std::string& name, const std::string& text) {
     const auto path = scratch.write(name, text);
@@ -272,7 +272,7 @@ TEST(LabelMap, ManyValuesAreGreyNotLabels) {
 // ---- organs of maps -----------------------------------------------------------------------------
 
 // A ball of 20 mm radius around `centre_m`, in a map whose axes are `step_m`. Its half towards +x
-// is label 2, the other label 1.
+// is label 2, the other half label 1.
 LabelMap ball_map(std::array<Vec, 3> step_m, Vec centre_m) {
   LabelMap map;
   map.size = {64, 64, 64};
@@ -337,7 +337,7 @@ TEST(LabelOrgan, LiesWhereTheMapIsWhateverItsAxes) {
         total += fill;
         filled.at(organ.voxel_material[voxel]) += fill * edge * edge * edge;
         if (fill < 0.99) continue;
-        // Material 0 is gel, at low x; voxels that lie across the middle may be either.
+        // Material 0 is gel, at low x; voxels that lie across the middle may have either material.
         if (std::fabs(at.x - centre.x) > edge) {
           EXPECT_EQ(organ.voxel_material[voxel], at.x > centre.x ? 1 : 0);
         }
@@ -399,7 +399,7 @@ TEST(LabelOrgan, ThinVoxelsAreOfTheTissueBesideThem) {
   EXPECT_GT(thin, 5U);
 }
 
-// The ball's half of label 2 reaches from 0 to 20 mm; 5 mm of the other half stay.
+// The half of the ball with label 2 reaches from 0 to 20 mm; 5 mm of the other half stay.
 TEST(LabelOrgan, CropKeepsALabelAndItsMargin) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
@@ -422,8 +422,9 @@ TEST(LabelOrgan, CropKeepsALabelAndItsMargin) {
               testing::HasSubstr("holds none of the labels of [crop]"));
 }
 
-// The ball's half of label 2 as a body, that of label 1 as a target: a half ball's middle lies 3/8
-// of the radius from its flat side. A hull of 64 vertices is a few per cent smaller.
+// The half of the ball with label 2 is a body, the half with label 1 a target: the centroid of a
+// half ball lies 3/8 of the radius from its flat side. A hull of 64 vertices is a few per cent
+// smaller.
 TEST(LabelOrgan, ObstaclesAndTargetsLieWhereTheirLabelsDo) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
@@ -446,7 +447,7 @@ TEST(LabelOrgan, ObstaclesAndTargetsLieWhereTheirLabelsDo) {
   EXPECT_THAT(built.report.warnings,
               testing::Contains("none of the labels of nothing is in the map"));
   EXPECT_TRUE(built.targets[0].in_tissue);
-  // The needle goes through the first target that lies in tissue.
+  // The needle is aimed at the first target that lies in tissue.
   const std::string scene =
       offline::scene_toml("a.organ", {"a.stone.toml"},
                           {{"beside", {0.5, 0.5, 0.5}, 1e-6, 6e-3, false},
@@ -479,7 +480,7 @@ TEST(LabelOrgan, SameMapSameBytes) {
   EXPECT_EQ(build_quietly(map, kHalves, options).bytes, build_quietly(map, kHalves, options).bytes);
 }
 
-// A ball of 20 mm, as the voxels of a map have it: 15 000 triangles, then 2000.
+// A ball of 20 mm in the voxels of a map: 15 000 triangles, then 2000.
 TEST(LabelOrgan, FewerTrianglesLieWhereMoreDid) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
@@ -503,7 +504,7 @@ TEST(LabelOrgan, FewerTrianglesLieWhereMoreDid) {
   EXPECT_LT(coarse[2], fine[2] + 0.3e-3);
 }
 
-// 60 balls as labels in 512 x 512 x 300 voxels of 0.8 x 0.8 x 1 mm, ten of them each tissue.
+// 60 balls as labels in 512 x 512 x 300 voxels of 0.8 x 0.8 x 1 mm; ten of them make one tissue.
 LabelMap whole_body_map() {
   LabelMap map;
   map.size = {512, 512, 300};
@@ -564,7 +565,7 @@ TEST(LabelOrgan, OfAWholeBodyKeepsItsVolumes) {
   }
 }
 
-TEST(LabelOrgan, LabelsThatAreNotThereAreSaid) {
+TEST(LabelOrgan, MissingLabelsAreReported) {
   const double u = 1e-3;
   const LabelMap map = ball_map({Vec{u, 0, 0}, {0, u, 0}, {0, 0, u}}, {});
   const offline::BuildOptions options;
@@ -701,8 +702,8 @@ TEST(Recipe, NamesAreTheSameInAnyOrderOfWordsAndSpelling) {
   for (const auto& [a, b] : other) EXPECT_FALSE(offline::is_same_name(a, b)) << a;
 }
 
-// By the names of the map's file: in any order of words, all labels of that name.
-TEST(Recipe, GoesByTheNamesOfTheMap) {
+// By the names in the map's file, in any order of words; all labels with that name count.
+TEST(Recipe, UsesTheNamesOfTheMap) {
   const Scratch scratch;
   const offline::FileNames names = {"seg.nrrd",
                                     {{2, "Right kidney"}, {7, "portal vein"}, {9, "Portal Vein"}}};
@@ -720,7 +721,7 @@ TEST(Recipe, GoesByTheNamesOfTheMap) {
   EXPECT_THAT(offline::read_recipe(exact, names).groups.at(0).labels, testing::ElementsAre(7));
 }
 
-TEST(Recipe, AndTheMapCallALabelTheSame) {
+TEST(Recipe, MustNotContradictTheMapsNames) {
   const Scratch scratch;
   const offline::FileNames names = {"mr.nii", {{52, "portal vein"}, {3, "liver"}}};
   const auto refused = [&](const std::string& text) {
@@ -737,8 +738,8 @@ TEST(Recipe, AndTheMapCallALabelTheSame) {
               testing::HasSubstr("liver = 5: in mr.nii liver is label 3"));
   EXPECT_THAT(refused("[tissues]\nliver = [\"spleen\"]\n"),
               testing::HasSubstr("or of mr.nii: liver, portal vein"));
-  // A label that is not used, has the same name, or has no name in one of the two is no
-  // contradiction.
+  // It is no contradiction if a label is not used, has the same name, or has no name in one of the
+  // two.
   for (const char* const text : {"[names]\naorta = 52\n[tissues]\nliver = [3]\n",
                                  "[names]\nPortal_Vein = 52\n[tissues]\nvessel = [52]\n",
                                  "[names]\nspleen = 60\n[tissues]\nliver = [60]\n"}) {

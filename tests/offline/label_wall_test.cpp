@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls around label maps where the scan cuts the patient off, and what else may be asked of an
-// organ with a wall. Boxes are drawn; expected voxels are counted.
+// Walls around label maps where the scan cuts the patient off, and other options together with a
+// wall. Boxes are random; expected voxels are counted.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -51,8 +51,8 @@ offline::Built build_quietly(const LabelMap& map, const Recipe& recipe,
   return offline::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
 }
 
-// A box that reaches some sides of its map. The map grows only at the others; a wall of whole
-// voxels lies over the faces there, and none where the box is cut.
+// A box reaches some sides of its map. The map grows only at the other sides; there a wall of whole
+// voxels covers the faces, and there is none where the box is cut.
 TEST(Wall, EndsWhereTheScanDoes) {
   Draw draw(4);
   for (int round = 0; round < 20; ++round) {
@@ -131,7 +131,7 @@ Recipe walled() {
   return recipe;
 }
 
-// The capsule of an organ in a wall lies where the wall begins, as if the organ were bare.
+// The capsule of an organ inside a wall lies where the wall begins, as if the organ were bare.
 TEST(Wall, BeginsAtTheCapsule) {
   offline::BuildOptions options;
   options.voxel_edge_m = 3e-3;
@@ -170,7 +170,8 @@ TEST(Wall, IsCroppedAsTheMapIs) {
   recipe.crop_around = {5};
   recipe.crop_margin_m = 2e-3;
   const offline::Built built = build_quietly(ball(), recipe, {});
-  // The ball is 32 voxels wide, and 2 are left at either side; the wall by itself is 6 thick.
+  // The ball is 32 voxels wide, with 2 voxels of space on either side; the wall itself is 6 voxels
+  // thick.
   constexpr double kAcrossM = 36e-3;
   const Organ organ = opened(built.bytes);
   const auto edge_m = static_cast<double>(organ.voxel_edge_m);
@@ -183,8 +184,9 @@ TEST(Wall, IsCroppedAsTheMapIs) {
   EXPECT_GT(built.report.labels[1].voxels, 1000U);
 }
 
-// As many voxels as asked for, and gaps that were to be split stay open; both are measured.
-TEST(LabelOrgan, IsAsFineAsItMayBeAndSplitWhereAskedFor) {
+// An organ has as many voxels as asked for, and gaps that were to be split stay open; both are
+// measured.
+TEST(LabelOrgan, IsAsFineAsAllowedAndSplitWhereAskedFor) {
   offline::BuildOptions options;
   options.most_voxels = 4000;
   options.measured = true;
@@ -238,7 +240,7 @@ Convex random_convex(Draw& draw, std::size_t kind) {
             },
             r + l / 2};
   }
-  // A box with round edges, which voxels can draw.
+  // A box with round edges, which voxels can represent.
   const Vec half = {draw.between(5, 14), draw.between(5, 14), draw.between(5, 14)};
   const double edge = draw.between(5, 8);
   return {[=](Vec at) {
@@ -278,7 +280,8 @@ LabelMap drawn(Draw& draw, const std::function<double(Vec)>& distance_mm, double
   return map;
 }
 
-// A map draws a body a little larger or smaller than it is: the wall lies around the body as drawn.
+// In a map a body is a little larger or smaller than in truth: the wall lies around the body in the
+// map.
 double drawn_larger_mm(const LabelMap& map, const Convex& body) {
   const auto voxels = std::count(map.label.begin(), map.label.end(), 5);
   const double drawn_mm3 = static_cast<double>(voxels) * offline::voxel_volume_m3(map) * 1e9;
@@ -290,9 +293,9 @@ double drawn_larger_mm(const LabelMap& map, const Convex& body) {
   return low;
 }
 
-// Every layer that is off by more than 5 % of its volume in closed form has a warning, and none
-// that is off by at most half a percent has one.
-TEST(Wall, LayersThatVoxelsMakeThinnerOrThickerAreTold) {
+// Every layer whose volume differs by more than 5 % from the closed form has a warning, and none
+// that differs by at most half a percent has one.
+TEST(Wall, LayersThatVoxelsMakeThinnerOrThickerAreReported) {
   int told_count = 0, silent = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Draw draw(seed);
@@ -331,7 +334,7 @@ TEST(Wall, LayersThatVoxelsMakeThinnerOrThickerAreTold) {
 }
 
 // The innermost layer fills a gap between two bodies, which makes it neither thinner nor thicker.
-TEST(Wall, AGapThatTheInnermostLayerFillsIsNoThickness) {
+TEST(Wall, AGapThatTheInnermostLayerFillsDoesNotCountAsThickness) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
     Draw draw(seed);
     const Vec apart = draw.direction() * draw.between(17, 22);
@@ -345,7 +348,7 @@ TEST(Wall, AGapThatTheInnermostLayerFillsIsNoThickness) {
   }
 }
 
-// A row of voxels along a drawn axis, nothing beside it: label, two layers, outside.
+// A row of voxels along a random axis, with nothing beside it: label, two layers, outside.
 TEST(Wall, LayersOfARowAreAsThickAsTheirVoxels) {
   Draw draw(77);
   for (int n = 0; n < 30; ++n) {
@@ -372,7 +375,7 @@ TEST(Wall, LayersOfARowAreAsThickAsTheirVoxels) {
     ASSERT_EQ(thickness_m.size(), 2U);
     EXPECT_NEAR(thickness_m[0], kStepM * static_cast<double>(counts[1]), 1e-9) << n;
     EXPECT_NEAR(thickness_m[1], kStepM * static_cast<double>(counts[2]), 1e-9) << n;
-    // Where nothing rises, or no layer is, there is no area and no thickness.
+    // If no row enters, or there is no layer, area and thickness are zero.
     offline::WallDistances flat = distances;
     std::fill(flat.from_labels_m.begin(), flat.from_labels_m.end(), 0.0F);
     std::fill(flat.from_outside_m.begin(), flat.from_outside_m.end(), 0.0F);

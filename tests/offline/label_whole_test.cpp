@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Voxels of NRRD and MetaImage that are packed, text or hexadecimal: drawn labels are read as they
-// are. Voxels that are too many, too few, cut off, damaged, or of another type than the header says
-// are refused.
+// Voxels of NRRD and MetaImage that are packed, text or hexadecimal: random labels are read
+// unchanged. Voxels that are too many, too few, cut off, damaged, or of another type than the
+// header says are refused.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <zlib.h>
@@ -86,13 +86,13 @@ TEST(WholeVoxels, AreReadAndOthersRefused) {
       }
       EXPECT_THAT(refusal_of(written(packed + "tail")), HasSubstr("expected whole packed voxels"));
       std::string damaged = packed;
-      damaged[damaged.size() - (how.encoding == "gzip" ? 5 : 1)] ^= 1;  // the sum of what is packed
+      damaged[damaged.size() - (how.encoding == "gzip" ? 5 : 1)] ^= 1;  // its checksum
       EXPECT_THAT(refusal_of(written(damaged)), HasSubstr("expected whole packed voxels"));
     }
   }
 }
 
-// A library takes 256 in a byte for 0, 1.5 for 1, and 2e1 for 2.
+// A library would read 256 in a byte as 0, 1.5 as 1, and 2e1 as 2.
 TEST(WholeVoxels, OfTextAreNumbersOfTheirType) {
   const Scratch scratch;
   struct Case {
@@ -104,7 +104,7 @@ TEST(WholeVoxels, OfTextAreNumbersOfTheirType) {
       {"signed char", "MET_CHAR", "127", true}, {"signed char", "MET_CHAR", "128", false},
       {"short", "MET_SHORT", "32767", true},    {"short", "MET_SHORT", "32768", false},
       {"ushort", "MET_USHORT", "65535", true},  {"ushort", "MET_USHORT", "65536", false},
-      {"int", "MET_INT", "70000", false},  // is no label
+      {"int", "MET_INT", "70000", false},  // beyond all labels
       {"uchar", "MET_UCHAR", "-1", false},      {"uchar", "MET_UCHAR", "1.5", false},
       {"uchar", "MET_UCHAR", "2e1", false},     {"uchar", "MET_UCHAR", "0x1", false},
       {"uchar", "MET_UCHAR", "x", false},       {"float", "MET_FLOAT", "2e1", true},
@@ -125,16 +125,17 @@ TEST(WholeVoxels, OfTextAreNumbersOfTheirType) {
   }
 }
 
-// What is no number may be a page of text: its first 40 characters are told.
-TEST(WholeVoxels, AreToldByTheirFirstCharacters) {
+// Text that is no number may be long: its first 40 characters are quoted.
+TEST(WholeVoxels, AreQuotedByTheirFirstCharacters) {
   const Scratch scratch;
   const std::string begin = "0123456789abcdefghijklmnopqrstuvwxyzABCD";
   EXPECT_THAT(refusal_of(scratch.write("a.nrrd", file_of(kWritten[1], 3, "1 " + begin + "EF 3"))),
               HasSubstr("voxel 1: " + begin + ": expected a number from 0 to 255"));
 }
 
-// NRRD takes commas between numbers, MetaImage does not; digits may have blanks between them.
-TEST(WholeVoxels, MayHaveBetweenThemWhatTheFormatAllows) {
+// NRRD allows commas between numbers, MetaImage does not; hexadecimal digits may have blanks
+// between them.
+TEST(WholeVoxels, MayBeSeparatedAsTheFormatAllows) {
   const Scratch scratch;
   const auto nrrd = [&](const Written& how, const char* voxels) {
     return refusal_of(scratch.write("a.nrrd", file_of(how, 3, voxels)));
@@ -151,7 +152,7 @@ TEST(WholeVoxels, MayHaveBetweenThemWhatTheFormatAllows) {
               HasSubstr("expected nothing to skip"));
 }
 
-// Of what is skipped in packed voxels ITK's reader knows; that they end early, too.
+// ITK's reader handles bytes to skip in packed voxels; we check that such voxels are complete.
 TEST(WholeVoxels, MayHaveOtherBytesBeforeThem) {
   const Scratch scratch;
   const auto file = [&](const std::string& bytes) {
@@ -164,7 +165,7 @@ TEST(WholeVoxels, MayHaveOtherBytesBeforeThem) {
   EXPECT_THAT(refusal_of(file("ab\1\2")), HasSubstr("expected 3 bytes but received 2"));
 }
 
-// A gzip file that is cut anywhere, or whose sum is another.
+// A gzip file that is cut anywhere, or has a wrong checksum.
 TEST(WholeVoxels, OfPackedFilesAreWholeToo) {
   const Scratch scratch;
   std::string header =
@@ -183,7 +184,7 @@ TEST(WholeVoxels, OfPackedFilesAreWholeToo) {
   EXPECT_THAT(refusal_of(scratch.write("a.inr.gz", damaged)), HasSubstr("a whole gzip file"));
 }
 
-// In files of their own, one after the other.
+// In several files, one after the other.
 TEST(WholeVoxels, OfSeveralFilesAreCountedTogether) {
   const Scratch scratch;
   const auto said = [&](const std::string& first, const std::string& second) {

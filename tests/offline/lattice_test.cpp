@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lattice and sphere tree on drawn numbers, against their definitions: which input has a cell;
-// which cells are kept, numbered and skin; where vertices lie; and what each sphere holds.
+// Lattice and sphere tree on random numbers, against their definitions: which input a cell belongs
+// to; which cells are kept, their numbers, and which are skin; where vertices lie; and what each
+// sphere contains.
 #include "voxels/lattice.h"
 
 #include <algorithm>
@@ -69,8 +70,8 @@ int count_of(std::uint64_t bits) {
   return count;
 }
 
-// Having samples counts before priority, and priority before size; of equal inputs the first has
-// the cell.
+// Whether an input has samples counts more than its priority, and priority more than size; of equal
+// inputs the first has the cell.
 TEST(Lattice, ACellBelongsToTheHighestPriorityThatHasSamplesThere) {
   Draw draw(41);
   for (int round = 0; round < 40; ++round) {
@@ -88,7 +89,7 @@ TEST(Lattice, ACellBelongsToTheHighestPriorityThatHasSamplesThere) {
       std::uint64_t inside = 0;
       bool pierced = false;
       int best = -1;
-      const auto before = [&](std::size_t a, std::size_t b) {  // a takes the cell from b
+      const auto before = [&](std::size_t a, std::size_t b) {  // a comes before b
         const int of_a = count_of(inputs[a].inside[cell]), of_b = count_of(inputs[b].inside[cell]);
         if ((of_a > 0) != (of_b > 0)) return of_a > 0;
         if (priorities[a] != priorities[b]) return priorities[a] > priorities[b];
@@ -108,11 +109,11 @@ TEST(Lattice, ACellBelongsToTheHighestPriorityThatHasSamplesThere) {
       EXPECT_EQ(claims.owner_fill[cell],
                 count_of(inputs[static_cast<unsigned>(best)].inside[cell]));
     });
-    // Where no single input fills a cell, each that has samples there has its share.
+    // If no single input fills a cell, each input with samples there has its fraction.
     std::map<std::size_t, std::map<int, std::uint64_t>> shares;
     for (const Claims::Share& share : claims.shares) {
       const auto [known, fresh] = shares[share.cell].emplace(share.owner, share.inside);
-      EXPECT_EQ(known->second, share.inside);  // however often it is there
+      EXPECT_EQ(known->second, share.inside);  // however often it occurs
       EXPECT_EQ(share.priority, priorities[share.owner]);
     }
     for (std::size_t cell = 0; cell < claims.inside.size(); ++cell) {
@@ -127,7 +128,7 @@ TEST(Lattice, ACellBelongsToTheHighestPriorityThatHasSamplesThere) {
   }
 }
 
-TEST(Lattice, NumbersWhatIsKeptRowByRow) {
+TEST(Lattice, NumbersTheKeptCellsRowByRow) {
   Draw draw(42);
   for (int round = 0; round < 60; ++round) {
     const Grid grid = drawn_grid(draw);
@@ -165,7 +166,7 @@ TEST(Lattice, NumbersWhatIsKeptRowByRow) {
   }
 }
 
-TEST(Lattice, SkinIsWhatIsBareOrPiercedAndNotAmongFullOnes) {
+TEST(Lattice, SkinIsEveryBareOrPiercedCellNotAmongFullOnes) {
   Draw draw(43);
   int skin = 0, none = 0;
   for (int round = 0; round < 60; ++round) {
@@ -197,9 +198,9 @@ TEST(Lattice, SkinIsWhatIsBareOrPiercedAndNotAmongFullOnes) {
   EXPECT_GT(none, 500);
 }
 
-// Where inputs of one priority both fill a cell, lattice and needle have the same tissue there,
+// If two inputs of equal priority fill a cell, lattice and needle have the same tissue there,
 // whatever the order of the inputs.
-TEST(Lattice, WhatTwoInputsFillIsOfOneTissueAlsoForTheNeedle) {
+TEST(Lattice, ACellThatTwoInputsFillIsOneTissueAlsoForTheNeedle) {
   Draw draw(46);
   for (int round = 0; round < 6; ++round) {
     std::vector<offline::Input> inputs;
@@ -231,9 +232,9 @@ TEST(Lattice, WhatTwoInputsFillIsOfOneTissueAlsoForTheNeedle) {
   }
 }
 
-// A vertex in a cell that is not kept makes that cell a voxel, of the input that has most of one of
-// the cells around it.
-TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
+// A vertex in a cell that is not kept makes this cell a voxel, of the input that has the most of a
+// cell around it.
+TEST(Lattice, EmbedsEveryPointToHalfAQuantum) {
   Draw draw(44);
   for (int round = 0; round < 60; ++round) {
     const Grid grid = drawn_grid(draw);
@@ -290,10 +291,10 @@ TEST(Lattice, HoldsEveryPointToHalfAQuantum) {
   }
 }
 
-// A cell that two voxels share, halved along a drawn axis, and a triangle that runs along the
-// middle, a little to either side. Its corners, and the triangle itself, belong to the voxel below,
-// where its body is.
-TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
+// A cell that two voxels share, divided across a random axis, and a triangle along the division, a
+// little to either side. Its corners and the triangle itself belong to the voxel below, where its
+// body is.
+TEST(Lattice, AVertexOfASharedCellBelongsToTheVoxelBelowIt) {
   Draw draw(47);
   for (int round = 0; round < 200; ++round) {
     const std::size_t axis = draw.below(3);
@@ -325,9 +326,10 @@ TEST(Lattice, AVertexOfASharedCellHangsOnTheVoxelBelowIt) {
   }
 }
 
-// Plates thinner than the distance between them, several through one cell, drawn and turned. Each
-// quarter of a cell that voxels share belongs to the voxel whose samples are nearest to its middle.
-TEST(Lattice, QuartersOfASharedCellGoToTheNearestSamples) {
+// Plates thinner than the distance between them, several through one cell, at random positions and
+// angles. Each sub-sample of a cell that voxels share belongs to the voxel whose samples are
+// nearest to its middle.
+TEST(Lattice, SubSamplesOfASharedCellGoToTheNearestSamples) {
   Draw draw(48);
   offline::SamplePlaces places;
   for (std::uint32_t i = 0; i < 64; ++i) places[i] = offline::sample_point(i);
@@ -403,10 +405,10 @@ Vec centre_of(const OrganSphere& s) {
   return {static_cast<double>(s.x), static_cast<double>(s.y), static_cast<double>(s.z)};
 }
 
-// How far a float of this size and the sums around it may be off, with the tree's own margin.
+// Possible error of a float of this size and the sums with it, plus the tree's own margin.
 constexpr double kRounding = 2e-6;
 
-// The sphere of a leaf: around the middle of its triangles' box, as far as the farthest corner.
+// The sphere of a leaf: around the middle of its triangles' box, out to the farthest corner.
 void expect_leaf(const DrawnTriangles& drawn, const offline::SphereTree& tree,
                  const OrganSphere& s) {
   offline::Box box;
@@ -424,8 +426,7 @@ void expect_leaf(const DrawnTriangles& drawn, const offline::SphereTree& tree,
   EXPECT_LT(static_cast<double>(s.radius), farthest + kRounding);
 }
 
-// The sphere of two: the larger one if it holds the other, else as wide as both and what is
-// between.
+// The sphere of two: the larger one if it contains the other, otherwise the smallest around both.
 void expect_parent(const OrganSphere& s, const OrganSphere& a, const OrganSphere& b) {
   const double ra = static_cast<double>(a.radius), rb = static_cast<double>(b.radius);
   const double apart = offline::length(centre_of(b) - centre_of(a));
@@ -448,7 +449,7 @@ TEST(SphereTree, LeavesAndParentsAreAsTightAsTheyCanBe) {
     ASSERT_EQ(order.size(), drawn.triangles.size());
     std::map<std::uint32_t, std::size_t> of_voxel;
     for (const std::uint32_t voxel : drawn.voxel_of) ++of_voxel[voxel];
-    std::size_t least = 0;  // leaves, of eight triangles each where there are as many
+    std::size_t least = 0;  // leaves, each of up to eight triangles
     for (const auto& [voxel, count] : of_voxel) least += (count + 7) / 8;
     std::size_t leaves = 0, covered = 0;
     std::vector<double> depth(tree.nodes.size(), 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is off by more than 5 % is told: layers, labels and meshes drawn at random, against volumes
-// in closed form or counted voxels, and against what the file's voxels and planes hold.
+// Volumes that are off by more than 5 % are reported: random layers, labels and meshes, against
+// volumes in closed form or counted voxels, and against the voxels and planes of the file.
 #include "voxels/losses.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ using offline::Vec;
 
 // ---- from outside -------------------------------------------------------------------------------
 
-// The part of the unit cube where n . place <= limit: exact along the axis to which the plane leans
-// most, by midpoints across it.
+// The fraction of the unit cube where n . place <= limit: exact along the axis to which the plane's
+// normal is closest, by midpoints across it.
 double integrated_before(std::array<double, 3> n, double limit, int across = 24) {
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i) axis = std::abs(n[i]) > std::abs(n[axis]) ? i : axis;
@@ -39,7 +39,7 @@ double integrated_before(std::array<double, 3> n, double limit, int across = 24)
   return sum / (across * across);
 }
 
-// Of a material in an organ file: the volume in which a needle meets it, and that of its voxels.
+// For a material in an organ file: the volume in which a needle meets it, and that of its voxels.
 offline::Held held_in(const Organ& organ, const std::string& name) {
   std::vector<const OrganMixed*> plane(organ.voxel_count, nullptr);
   for (const OrganMixed& each : organ.mixed) plane[each.voxel] = &each;
@@ -69,7 +69,8 @@ struct Counts {
   int told = 0, silent = 0;
 };
 
-// All that is off by more than 5 % has a warning, and nothing that is off by at most 1 % has one.
+// Every volume that is off by more than 5 % has a warning, and none that is off by at most 1 % has
+// one.
 void expect_told(const offline::Built& built, const std::string& what, const std::string& material,
                  double given_m3, unsigned seed, Counts& counts) {
   const offline::Held held = held_in(opened(built.bytes), material);
@@ -105,8 +106,7 @@ TEST(Losses, AreMeasuredExactly) {
 
 // ---- layers -------------------------------------------------------------------------------------
 
-// A block whose footprint lies in any direction, with a slope: along z it is equally deep
-// everywhere.
+// A sloped block whose footprint lies in any direction: along z it is equally deep everywhere.
 Mesh sloping_block(Vec size_mm, double turn, double slope_x, double slope_y) {
   Mesh mesh = box_mesh({0, 0, -size_mm.z}, {size_mm.x, size_mm.y, 0});
   for (Vec& p : mesh.points) {
@@ -135,7 +135,7 @@ TEST(Losses, HalfAMillimetreOfFasciaIsMissedByName) {
                   testing::HasSubstr("voxels hold 0 ml (-100 %)"))));
 }
 
-TEST(Losses, OfLayersAreTold) {
+TEST(Losses, OfLayersAreReported) {
   Counts counts;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Draw draw(seed);
@@ -153,8 +153,8 @@ TEST(Losses, OfLayersAreTold) {
   EXPECT_GT(counts.silent, 2);
 }
 
-// Share of their thickness that layers lack across the surface, in percent, as the user is told;
-// 0 if the user is not.
+// Percentage by which layers are thinner across the surface, as reported to the user; 0 if nothing
+// is reported.
 double told_thinner(const offline::Built& built, const std::string& along = "-z") {
   for (const std::string& each : built.report.warnings) {
     const std::size_t at = each.find("layers are ");
@@ -164,9 +164,9 @@ double told_thinner(const offline::Built& built, const std::string& along = "-z"
   return 0;
 }
 
-// A plane z = x sx + y sy meets rows along z under an angle of cosine 1 / sqrt(1 + sx^2 + sy^2);
-// then z becomes any axis, either way along it.
-TEST(Losses, LayersUnderASlopeAreToldToBeThinnerAcrossIt) {
+// A plane z = x sx + y sy meets rows along z at an angle of cosine 1 / sqrt(1 + sx^2 + sy^2); then
+// z is replaced by any axis, in either direction.
+TEST(Losses, LayersUnderASlopeAreReportedAsThinnerAcrossIt) {
   int told = 0, silent = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     Draw draw(seed);
@@ -201,15 +201,16 @@ TEST(Losses, LayersUnderASlopeAreToldToBeThinnerAcrossIt) {
   EXPECT_GT(silent, 2);
 }
 
-// Over the rows that enter a ball, r^2 = 1 - cosine^2 is spread evenly: the mean cosine is 2/3.
+// Over the rows that enter a ball, r^2 = 1 - cosine^2 is distributed evenly: the mean cosine is
+// 2/3.
 TEST(Losses, LayersOfABallAreAThirdThinnerAcrossIt) {
   const auto built =
       build_quietly({input_of(offline::ball_phantom(60, 1.5), 1e-3, "gel")}, layered(2, 2, 3));
   EXPECT_NEAR(told_thinner(built), 100.0 / 3, 0.75);
 }
 
-// Sides along the rows are no slope, of a plate that is all surface neither; nor is there one where
-// the part of a body that is kept has no surface.
+// Sides along the rows are no slope, not even for a plate that is all surface; neither is there a
+// slope where a cut body has no surface.
 TEST(Losses, SidesAndCutsAreNoSlopes) {
   const auto plate =
       build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 3}), 1e-3, "gel")}, layered(1, 1, 2));
@@ -221,7 +222,7 @@ TEST(Losses, SidesAndCutsAreNoSlopes) {
   EXPECT_EQ(told_thinner(inner), 0);
 }
 
-// Of a roof whose two sides have their own slopes, each side counts with the rows that enter it.
+// Each side of a roof with two different slopes counts with the rows that enter it.
 TEST(Losses, EachSlopeCountsWithTheRowsThatEnterIt) {
   const double along_mm = 40, left_mm = 30, right_mm = 15, high_mm = 12;
   const Mesh roof = {
@@ -239,8 +240,8 @@ TEST(Losses, EachSlopeCountsWithTheRowsThatEnterIt) {
   EXPECT_NEAR(told_thinner(built), 100 * (1 - mean), 0.51);
 }
 
-// Layers begin where rows enter what they replace: at the flat top of two bodies of it, whatever
-// lies between these; under a body that they do not replace, at the slope below it.
+// Layers begin where rows enter the tissue that they replace: at the flat top of two bodies of it,
+// whatever lies between these; under a body that they do not replace, at the slope below it.
 TEST(Losses, OnlyTheSurfaceWhereLayersBeginCounts) {
   const double slope = 0.5;
   const Mesh below = sloping_block({40, 40, 30}, 0, slope, 0);
@@ -255,10 +256,10 @@ TEST(Losses, OnlyTheSurfaceWhereLayersBeginCounts) {
   }
 }
 
-// A wall of cells along any axis, the first of which is filled in only some of its rows, beside
-// cells of another tissue. Counted by hand: a layer of t edges takes t of each of the 64 rows, and
-// what lies below it the rest of the rows.
-TEST(Losses, WhatLayersAreGivenIsCountedInEveryRow) {
+// A wall of cells along any axis, the first of them filled in only some of its rows, next to cells
+// of another tissue. Counted by hand: a layer of t edges takes t of each of the 64 rows, and the
+// tissue below it takes the rest of the rows.
+TEST(Losses, VolumesOfLayersAreCountedInEveryRow) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     Draw draw(seed);
     const std::size_t axis = draw.below(3), across = (axis + 1) % 3;
@@ -331,7 +332,7 @@ offline::LabelMap random_map(Draw& draw) {
   return map;
 }
 
-TEST(Losses, OfLabelsAreTold) {
+TEST(Losses, OfLabelsAreReported) {
   Counts counts;
   const std::array<std::string, 3> tissues = {"liver", "kidney", "gel"};
   for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -345,7 +346,7 @@ TEST(Losses, OfLabelsAreTold) {
     const double voxel_m3 = std::abs(dot(map.step_m[0], cross(map.step_m[1], map.step_m[2])));
     for (std::uint16_t label = 1; label <= 3; ++label) {
       const auto count = std::count(map.label.begin(), map.label.end(), label);
-      if (count == 0) continue;  // the next lies over it
+      if (count == 0) continue;  // the next body covers it
       const offline::Held held = held_in(opened(built.bytes), tissues[label - 1U]);
       const bool lost = held.met_m3 == 0;
       expect_told(built, lost ? "labels of" : "tissue", tissues[label - 1U],
@@ -357,7 +358,7 @@ TEST(Losses, OfLabelsAreTold) {
 }
 
 // Fat and skin of a wall around labels; the skin falls between the map's voxels.
-TEST(Losses, AWallTooThinForTheMapIsTold) {
+TEST(Losses, AWallTooThinForTheMapIsReported) {
   Draw draw(7);
   offline::LabelMap map = random_map(draw);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -372,7 +373,7 @@ TEST(Losses, AWallTooThinForTheMapIsTold) {
 
 // ---- meshes -------------------------------------------------------------------------------------
 
-TEST(Losses, OfMeshesInEachOtherAreTold) {
+TEST(Losses, OfNestedMeshesAreReported) {
   Counts counts;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     Draw draw(seed);
@@ -401,8 +402,8 @@ TEST(Losses, OfMeshesInEachOtherAreTold) {
   EXPECT_GT(counts.silent, 10);
 }
 
-// What is cut away was not lost.
-TEST(Losses, ACropIsNone) {
+// Tissue that the user cuts away is not lost.
+TEST(Losses, ACropIsNoLoss) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Draw draw(seed);
     const Mesh body = turned(box_mesh({0, 0, 0}, {50, 40, 60}), random_frame(draw));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which side of a surface is outside, where bodies lie in bodies: blobs of random shape, place and
-// number, whose volumes are those with which they were made. And files made to do harm end in time.
+// Which side of a surface is outside when bodies lie inside bodies: blobs of random shape, position
+// and number, whose volumes are known. And malicious files are done with in bounded time.
 #include <sys/resource.h>
 
 #include <numbers>
@@ -26,7 +26,7 @@ double six_volumes(const Mesh& mesh) {
   return sum;
 }
 
-// Star-shaped, faces outward, between 0.8 and 1 radius from its middle; poles anywhere.
+// A star-shaped body, faces outward, between 0.8 and 1 radius from its middle; poles anywhere.
 Mesh blob(Draw& draw, Vec middle, double radius, int rings) {
   const Vec pole = draw.direction();
   const Vec across = cross(pole, draw.direction());
@@ -65,7 +65,7 @@ void turn(Mesh& mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
 }
 
-// Middles in a ball of radius 44, at least 5.5 apart, so that blobs of radius 2.6 are apart.
+// Middles in a ball of radius 44, at least 5.5 apart, so that blobs of radius 2.6 do not touch.
 std::vector<Vec> places_apart(Draw& draw, std::size_t count) {
   std::vector<Vec> places;
   while (places.size() < count) {
@@ -79,7 +79,7 @@ std::vector<Vec> places_apart(Draw& draw, std::size_t count) {
 
 struct Nested {
   Mesh mesh;
-  double signed_ml = 0;  // outer body and islands less cavities; tissue in tissue counts twice
+  double signed_ml = 0;  // body and islands less cavities; tissue in tissue counts twice
   double tissue_ml = 0;
 };
 
@@ -129,7 +129,7 @@ TEST(Nesting, CavitiesOfAnyNumberStayAlsoInsideOut) {
   }
 }
 
-// Faces that were turned at random say less than the others do.
+// Most faces are still right, so they outvote those that were turned at random.
 TEST(Nesting, AFewTurnedFacesLoseNoCavity) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Draw draw(seed);
@@ -141,7 +141,7 @@ TEST(Nesting, AFewTurnedFacesLoseNoCavity) {
   }
 }
 
-// If the faces have no sense at all, what lies in tissue is a cavity.
+// If faces are turned without any rule, a body inside tissue is a cavity.
 TEST(Nesting, FacesTurnedAtRandomLeaveCavities) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Draw draw(seed);
@@ -154,8 +154,8 @@ TEST(Nesting, FacesTurnedAtRandomLeaveCavities) {
 }
 
 // Volume of the organ by its samples, each of which is 1/64 of a voxel. A cavity of a voxel or two
-// is off by a part of its own volume; 200 of them together by 1 % of theirs, which is a thousandth
-// of the whole.
+// is off by a fraction of its own volume; 200 of them together by 1 % of theirs, which is a
+// thousandth of the whole.
 TEST(Nesting, VolumeOfTheOrganIsThatOfItsTissue) {
   for (unsigned seed = 101; seed <= 104; ++seed) {
     Draw draw(seed);
@@ -176,7 +176,7 @@ double own_time_s() {
          1e-6 * static_cast<double>(used.ru_utime.tv_usec);
 }
 
-// Every triangle by itself, with points of its own, as text with too few digits leaves them.
+// Separate triangles with points of their own, as text with too few digits leaves them.
 Mesh jittered(Draw& draw, int rings) {
   const Mesh whole = blob(draw, {}, 50, rings);
   Mesh mesh;
@@ -202,7 +202,7 @@ Mesh onion(Draw& draw, std::size_t shells) {
   return mesh;
 }
 
-// Tetrahedra, many of them around one edge, open ones, and points that hang together at random.
+// Tetrahedra, many of them around one edge, open ones, and randomly connected points.
 Mesh soup(Draw& draw, std::size_t triangles) {
   Mesh mesh;
   for (std::size_t i = 0; i < triangles; ++i) mesh.points.push_back(draw.direction() * 40);
@@ -213,7 +213,7 @@ Mesh soup(Draw& draw, std::size_t triangles) {
   return mesh;
 }
 
-// Four times as large, at most eight times as long: n log n with room, and no square.
+// A file four times as large may take eight times as long: n log n with some room, but not n^2.
 template <typename Make>
 void expect_near_linear(const char* what, Make make) {
   const Mesh small = make(1), large = make(4);
@@ -227,7 +227,7 @@ void expect_near_linear(const char* what, Make make) {
   EXPECT_LT(large_s, 20) << what;
 }
 
-TEST(Time, OfARepairFollowsTheTriangles) {
+TEST(Time, OfARepairGrowsWithTheTriangles) {
   Draw draw(7);
   expect_near_linear("jittered", [&](int n) { return jittered(draw, n == 1 ? 80 : 160); });
   expect_near_linear("soup", [&](int n) { return soup(draw, 10000U * static_cast<unsigned>(n)); });
@@ -243,7 +243,7 @@ TEST(Time, OfARepairFollowsTheTriangles) {
   });
 }
 
-// Shells one in another, each in the boxes of all others: a second or two.
+// Shells inside each other, each in the boxes of all others: a second or two.
 TEST(Time, OfShellsInShellsIsBounded) {
   Draw draw(8);
   const Mesh mesh = onion(draw, 500);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as they lie in files: the bytes are made here by arithmetic and by the layout of IEEE
-// 754.
+// Numbers in files: the bytes are made here by arithmetic and by the layout of IEEE 754.
 #include "base/numbers.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +11,7 @@
 namespace stylet::test {
 namespace {
 
-// Bytes of random integers, made by division, at any byte of a text.
+// Bytes of random integers, made by division, at any offset of a text.
 template <typename T>
 void expect_numbers(std::mt19937_64& engine) {
   for (int round = 0; round < 200; ++round) {

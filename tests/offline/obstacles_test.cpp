@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Obstacles from label maps: convex pieces that leave free what they go around, and a warning where
-// they do not.
+// Obstacles from label maps: convex pieces that do not cover what they surround, and a warning if
+// they do.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -25,7 +25,7 @@ std::string warning_of(const std::vector<std::string>& warnings, const std::stri
   return "";
 }
 
-// A ring around a ball of liver, both tilted: one hull would hold the ball.
+// A ring around a ball of liver, both tilted: a single hull would contain the ball.
 offline::LabelMap ring_map(Draw& draw) {
   offline::LabelMap map;
   map.size = {90, 90, 90};
@@ -43,7 +43,7 @@ offline::LabelMap ring_map(Draw& draw) {
   return map;
 }
 
-TEST(Obstacles, ARingLeavesWhatItGoesAroundFree) {
+TEST(Obstacles, ARingDoesNotCoverWhatItSurrounds) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Draw draw(seed);
     const offline::LabelMap map = ring_map(draw);
@@ -57,7 +57,7 @@ TEST(Obstacles, ARingLeavesWhatItGoesAroundFree) {
       labels_m3 += each.label_m3;
       EXPECT_EQ(each.obstacle, "rib");
       EXPECT_TRUE(each.swallowed_m3.empty()) << each.name;
-      // No voxel of liver is on the inner side of all of the hull's faces.
+      // No voxel of liver is on the inner side of all of a hull's faces.
       const auto planes = offline::hull_planes(each.hull);
       for (std::size_t i = 0; i < map.label.size(); i += 37) {
         if (map.label[i] != 1) continue;
@@ -83,7 +83,7 @@ TEST(Obstacles, ARingLeavesWhatItGoesAroundFree) {
   }
 }
 
-// The part of a box that lies in the convex hull of some places: on the inner side of every plane
+// The part of a box that lies in the convex hull of some points: on the inner side of every plane
 // through three of them that has all others on one side.
 double hull_mm3(Draw& draw, const std::vector<Vec>& vertices_m) {
   std::vector<Vec> places;
@@ -123,9 +123,9 @@ double hull_mm3(Draw& draw, const std::vector<Vec>& vertices_m) {
 }
 
 // Bent rods of any thickness on voxels of any shape, some nearly balls, and blocks of whole voxels.
-// What is more than 5 % off is told, what is at most 1 % off is not. The volume is known to half a
-// percent.
-TEST(Obstacles, HullsThatAreOffTheirLabelsAreTold) {
+// A volume that is more than 5 % off is reported, one that is at most 1 % off is not. The expected
+// volume is known to half a percent.
+TEST(Obstacles, HullsThatDifferFromTheirLabelsAreReported) {
   int told_count = 0, silent = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     Draw draw(seed);
@@ -167,9 +167,9 @@ TEST(Obstacles, HullsThatAreOffTheirLabelsAreTold) {
   EXPECT_GT(silent, 5);
 }
 
-// With as many obstacles as the kernel takes, none can be cut further: what they hold besides is
-// told.
-TEST(Obstacles, WhatAHullSwallowsIsTold) {
+// With as many obstacles as the kernel takes, none can be divided further: what else they cover is
+// reported.
+TEST(Obstacles, WhatAHullCoversIsReported) {
   Draw draw(9);
   const offline::LabelMap map = ring_map(draw);
   offline::LabelMap many = map;
@@ -198,8 +198,8 @@ TEST(Obstacles, WhatAHullSwallowsIsTold) {
 }
 
 // A piece of an obstacle does not get the name of another obstacle. An obstacle whose labels are
-// nowhere in the map is told, and is not in the scene.
-TEST(Obstacles, NamesAreTheirOwnAndWhatIsMissingIsTold) {
+// not in the map is reported, and is not in the scene.
+TEST(Obstacles, NamesAreUniqueAndMissingOnesAreReported) {
   Draw draw(5);
   offline::LabelMap map = ring_map(draw);
   for (const std::size_t corner : {0U, 1U, 90U, 91U, 8100U, 8101U, 8190U, 8191U}) {

@@ -17,13 +17,13 @@
 
 namespace stylet::test {
 
-// Leaves the calling test with a plain line where the shared data is not there.
+// Skips the calling test with a plain line if the shared data is missing.
 #define SKIP_WITHOUT(path)                                              \
   if (!std::filesystem::exists(path)) {                                 \
     GTEST_SKIP() << (path).string() << " is missing (set STYLET_DATA)"; \
   }
 
-// A folder of its own that goes with the test.
+// A folder of the test, which is removed with it.
 struct Scratch {
   std::filesystem::path folder;
 
@@ -55,7 +55,7 @@ inline std::map<std::string, std::string> all_files(const std::filesystem::path&
   return files;
 }
 
-// Closed box, faces outward.
+// A closed box, faces outward.
 inline offline::Mesh box_mesh(offline::Vec low, offline::Vec high) {
   offline::Mesh mesh;
   for (unsigned i = 0; i < 8; ++i) {
@@ -88,7 +88,7 @@ inline Organ opened(const std::vector<std::byte>& bytes) {
   EXPECT_EQ(organ_open(bytes, organ), Status::kOk);
   return organ;
 }
-Organ opened(std::vector<std::byte>&&) = delete;  // the organ looks into the bytes
+Organ opened(std::vector<std::byte>&&) = delete;  // the organ refers to the bytes
 
 // Filled volume of all voxels, m^3.
 inline double volume_m3(const Organ& organ) {

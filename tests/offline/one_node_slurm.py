@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A Slurm of one node in a folder: munged, slurmctld and slurmd as this user, ended with it."""
+"""A Slurm of one node in a folder: munged, slurmctld and slurmd run as this user, and end with the
+object."""
 import os
 import pathlib
 import shutil
@@ -44,7 +45,7 @@ def find(program):
 
 
 def missing():
-    """What has to be installed first; empty: nothing."""
+    """What has to be installed first; empty if nothing."""
     return [program for program in PROGRAMS if find(program) is None]
 
 

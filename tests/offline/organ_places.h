@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies where, as an organ file says it: read once more, independently of the kernel.
+// Which material lies where in an organ file: an independent reading, without the kernel.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct VoxelPlace {
   std::uint32_t x, y, z;
 };
 
-// Of each voxel, in space.
+// Cell of each voxel, in space.
 inline std::vector<VoxelPlace> cells_of(const Organ& organ) {
   std::vector<VoxelPlace> cells;
   for (const OrganRun& run : organ.runs) {
@@ -25,7 +25,7 @@ inline std::vector<VoxelPlace> cells_of(const Organ& organ) {
   return cells;
 }
 
-// The quarters of its cell that are each voxel's own.
+// The sub-samples of its cell that belong to each voxel.
 inline std::vector<std::uint64_t> quarters_of(const Organ& organ) {
   std::vector<std::uint64_t> quarters;
   for (const OrganRun& run : organ.runs) {
@@ -46,7 +46,7 @@ struct Places {
 
   explicit Places(const Organ& of) : organ(of), cells(cells_of(of)), quarters(quarters_of(of)) {}
 
-  // The material at a place; kNoTissue outside the lattice, too.
+  // The material at a place; kNoTissue also outside the lattice.
   int material_at(offline::Vec place) const {
     const double edge = static_cast<double>(organ.voxel_edge_m);
     const offline::Vec origin = {static_cast<double>(organ.origin_m.x),
@@ -72,7 +72,7 @@ struct Places {
   }
 };
 
-// From `from` on along `way`: how far each material reaches, in steps of 1/100 of a voxel.
+// How far each material reaches from `from` along `way`, in steps of 1/100 of a voxel.
 inline std::vector<double> lengths_along(const Organ& organ, offline::Vec from, offline::Vec way,
                                          double length_m) {
   const Places places(organ);

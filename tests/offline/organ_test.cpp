@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an organ file promises: the mesh's volume, a surface and sphere tree that fit, few bytes,
-// and the same bytes every time. On phantoms and on every real organ.
+// What an organ file promises: the mesh's volume, a surface and sphere tree that match it, few
+// bytes, and the same bytes every time; for phantoms and for every real organ.
 #include <numbers>
 
 #include "base/refusal.h"
@@ -37,8 +37,8 @@ Vec centre_of(const OrganSphere& s) {
   return {static_cast<double>(s.x), static_cast<double>(s.y), static_cast<double>(s.z)};
 }
 
-// Every triangle in exactly one leaf and inside it; every sphere inside its parent; depth in
-// bounds.
+// Every triangle is in exactly one leaf and inside its sphere; every sphere is inside its parent;
+// depth is bounded.
 void expect_tree_holds(const Organ& organ) {
   const std::vector<Vec> positions = positions_of(organ);
   std::vector<int> covered(organ.triangles.size(), 0);
@@ -63,7 +63,7 @@ void expect_tree_holds(const Organ& organ) {
   for (const int times : covered) ASSERT_EQ(times, 1);
 }
 
-// Whether one of the points, sorted by x, is this one to `off_m` along each axis.
+// Whether one of the points (sorted by x) is within `off_m` of this one along each axis.
 bool has_point(const std::vector<Vec>& sorted, const Vec& at, double off_m) {
   auto p = std::lower_bound(sorted.begin(), sorted.end(), at.x - off_m,
                             [](const Vec& each, double x) { return each.x < x; });
@@ -73,9 +73,9 @@ bool has_point(const std::vector<Vec>& sorted, const Vec& at, double off_m) {
   return false;
 }
 
-// Embedded positions are those of the mesh to half a quantum along each axis, however far they are
-// from it, and no corner of a triangle is missing. The mesh is as it was read from the file, not as
-// points were merged and triangles dropped.
+// Embedded positions are those of the mesh to half a quantum along each axis, wherever they are,
+// and no corner of a triangle is missing. The mesh is the one in the file, before points are merged
+// and triangles dropped.
 void expect_surface_fits(const Organ& organ, const offline::Mesh& mesh, double metres_per_unit) {
   const double rounding = 1e-12;
   const double off_m = static_cast<double>(organ.voxel_edge_m) * 0.5 / 65535 + rounding;
@@ -99,7 +99,7 @@ void expect_few_bytes(const Organ& organ) {
   const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
                               organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes();
   EXPECT_LE(lattice, std::size_t{12} * organ.voxel_count);
-  // At most a plane of 24 bytes for each.
+  // At most a plane of 24 bytes for each cell.
   EXPECT_LE(lattice + organ.mixed.size_bytes(), std::size_t{36} * organ.voxel_count);
   EXPECT_LE(sizeof(OrganVertex), 16U);
 }
@@ -111,7 +111,7 @@ struct RealOrgan {
   double metres_per_unit;
   bool closed;
 };
-void PrintTo(const RealOrgan& organ, std::ostream* out) {  // else a test is named by its bytes
+void PrintTo(const RealOrgan& organ, std::ostream* out) {  // or bytes name a test
   *out << organ.file;
 }
 
@@ -149,8 +149,7 @@ TEST_P(RealOrganTest, BecomesAnOrgan) {
   EXPECT_FALSE(organ.voxel_fixed.empty());
 }
 
-// Units as the data's README gives them. Where it gives none, a factor that makes the organ life
-// size.
+// Units as the data's README gives them; if it gives none, a factor that makes the organ life size.
 INSTANTIATE_TEST_SUITE_P(All, RealOrganTest,
                          testing::Values(RealOrgan{"openhelp_Liver.stl", 1e-3, true},
                                          RealOrgan{"openhelp_Kidney_left.stl", 1e-3, true},
@@ -180,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(All, RealOrganTest,
 TEST(Phantom, LiverHasCapsuleAndParenchymaAndItsSize) {
   const offline::Mesh mesh = offline::liver_phantom(5e-3);
   const offline::Box box = offline::bounds(mesh);
-  // As far as its two ellipsoids reach, by the mesher's tolerance.
+  // The extent of its two ellipsoids, within the mesher's tolerance.
   const std::array<std::pair<double, double>, 6> ends = {{{box.low.x, -58},
                                                           {box.low.y, -30 - 58},
                                                           {box.low.z, -66},
@@ -195,7 +194,7 @@ TEST(Phantom, LiverHasCapsuleAndParenchymaAndItsSize) {
   ASSERT_EQ(organ.material_count, 2U);
   EXPECT_STREQ(organ_material(organ, 0).name, "liver");
   EXPECT_STREQ(organ_material(organ, 1).name, "liver_capsule");
-  // The capsule is where the surface is: every voxel that holds a vertex.
+  // The capsule is where the surface is: every voxel that contains a vertex.
   for (const OrganVertex& v : organ.vertices) ASSERT_EQ(organ.voxel_material[v.voxel], 1);
   expect_tree_holds(organ);
   expect_surface_fits(organ, mesh, 1);
@@ -214,8 +213,8 @@ TEST(Phantom, LayersLieAlongX) {
   }
 }
 
-// Layers along y, in one of two inputs. A layer of skin that is thicker than a voxel holds its
-// membrane of 2 N/mm as modulus; skin that is an input of its own does not.
+// Layers along y, in one of two inputs. A layer of skin that is thicker than a voxel has its
+// membrane of 2 N/mm as part of its modulus; skin that is an input of its own does not.
 TEST(Layers, OfOneTissueMayBeTwoMaterials) {
   offline::Mesh layered = box_mesh({0, 0, 0}, {20, 40, 20}),
                 skin = box_mesh({20, 0, 0}, {40, 40, 20});
@@ -237,7 +236,7 @@ TEST(Layers, OfOneTissueMayBeTwoMaterials) {
   }
 }
 
-TEST(Layers, OfMoreMaterialsThanThereAreNumbersAreRefused) {
+TEST(Layers, WithMoreMaterialsThanAllowedAreRefused) {
   const std::vector<offline::Tissue> own;
   offline::MaterialList list{own, {}};
   for (std::uint32_t i = 0; i < kMaxMaterials; ++i) {
@@ -250,8 +249,8 @@ TEST(Layers, OfMoreMaterialsThanThereAreNumbersAreRefused) {
   EXPECT_THROW((void)offline::number_of(list, one_more), offline::Refusal);
 }
 
-// From above through a slab of 20 mm and a step of 7.5 mm: depth counts from where each row enters,
-// by what is filled, and only in the input that is named.
+// From above through a slab of 20 mm and a step of 7.5 mm: depth is the filled length since the row
+// entered, and counts only in the named input.
 TEST(Layers, TakeThePlaceOfOneInputFromItsSurfaceOn) {
   offline::Mesh high = offline::block_phantom({0.02, 0.02, 0.02}, 0.005);
   offline::Mesh low = offline::block_phantom({0.02, 0.02, 0.0075}, 0.005);
@@ -291,9 +290,9 @@ offline::Mesh turned(offline::Mesh mesh, double angle_rad) {
 }
 
 // A plate of 14 mm, turned by 23 degrees and divided into layers along z. A needle straight through
-// it meets each layer for as long as it is thick there, whatever the voxel, and meets no air. By
+// it is in each layer for the layer's thickness, whatever the voxel, and meets no air. With whole
 // voxels alone, lengths would be off by up to one voxel.
-TEST(Mixed, LayersAreAsThickAsTheyAreOnASlope) {
+TEST(Mixed, LayersOnASlopeHaveTheirThickness) {
   const double angle = 23 * std::numbers::pi / 180, thickness_m = 0.014;
   const offline::Mesh plate = turned(centred_block({0.08, 0.02, thickness_m}, 0.002), angle);
   const Vec across = {std::sin(angle), 0, std::cos(angle)}, along = {across.z, 0, -across.x};
@@ -315,7 +314,7 @@ TEST(Mixed, LayersAreAsThickAsTheyAreOnASlope) {
     }
     double sum = 0;
     for (const double error : errors) {
-      EXPECT_LT(std::abs(error), 0.35 * edge_m);  // where three meet in a voxel
+      EXPECT_LT(std::abs(error), 0.35 * edge_m);  // where three tissues meet in a voxel
       sum += std::abs(error);
     }
     EXPECT_LT(sum / static_cast<double>(errors.size()), 0.1 * edge_m);
@@ -323,9 +322,9 @@ TEST(Mixed, LayersAreAsThickAsTheyAreOnASlope) {
 }
 
 // A ball in a block of another tissue: its surface is where it should be, to a tenth of a voxel.
-TEST(Mixed, AnInnerSurfaceIsWhereItIs) {
+TEST(Mixed, AnInnerSurfaceIsWhereItShouldBe) {
   const double radius_m = 0.012;
-  offline::Mesh ball = centred_block({2, 2, 2}, 0.25);  // its points go to the ball below
+  offline::Mesh ball = centred_block({2, 2, 2}, 0.25);  // its points are moved to a sphere below
   for (Vec& p : ball.points) p = p * (radius_m / length(p));
   const offline::Mesh block = centred_block({0.04, 0.04, 0.04}, 0.005);
   const auto built =
@@ -344,7 +343,7 @@ TEST(Mixed, AnInnerSurfaceIsWhereItIs) {
   EXPECT_LT(sum / kWays, 0.5e-3);
 }
 
-// A layer as thick as several voxels carries its membrane once: so does the sum over its voxels.
+// A layer as thick as several voxels carries its membrane only once, as the sum over its voxels.
 TEST(Mixed, AMembraneIsSpreadOverItsLayer) {
   BuildOptions options;
   options.layers = {{0.010, "skin"}, {0.010, "liver"}};
@@ -354,12 +353,12 @@ TEST(Mixed, AMembraneIsSpreadOverItsLayer) {
     const auto built = build_quietly({input_of(block, 1)}, options);
     const Material skin = organ_material(opened(built.bytes), 0);
     const double kernel_pa = static_cast<double>(skin.membrane_n_per_m) / edge_m;
-    // E 100 kPa through, and 2 N/mm of membrane.
+    // E is 100 kPa throughout, and the membrane has 2 N/mm.
     EXPECT_NEAR((static_cast<double>(skin.youngs_modulus_pa) + kernel_pa) * 0.010, 1000 + 2000, 1);
   }
 }
 
-TEST(Inputs, HigherPriorityWinsAVoxelAndVolumesDoNotAddTwice) {
+TEST(Inputs, HigherPriorityWinsAVoxelAndVolumesCountOnce) {
   const offline::Mesh outer = offline::block_phantom({0.04, 0.04, 0.04}, 0.005);
   offline::Mesh inner = offline::block_phantom({0.01, 0.01, 0.01}, 0.005);
   for (Vec& p : inner.points) p = p + Vec{0.01, 0, 0};
@@ -407,8 +406,9 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
   }
 }
 
-// A block of 60 x 40 x 20 mm in voxels of 5 mm, cut to x < 30 mm: half of the voxels; the same
-// material in each as in the whole (its capsule does not close over the cut); held only at the cut.
+// A block of 60 x 40 x 20 mm in voxels of 5 mm, cut to x < 30 mm: half of the voxels; each has the
+// same material as in the whole block (the capsule does not close over the cut), and only the cut
+// is held.
 TEST(Build, CropsToRegionsAndHoldsTheCut) {
   const offline::Mesh block = offline::block_phantom({0.06, 0.04, 0.02}, 0.005);
   BuildOptions options;
@@ -485,8 +485,8 @@ TEST(Build, SameInputSameBytes) {
   EXPECT_EQ(once.bytes, again.bytes);
 }
 
-// The hash was written down once, and is the same from gcc and clang. Any change of the bytes that
-// these inputs give is meant to be noticed here, and the number to be replaced on purpose.
+// The hash was written down once, and is the same from gcc and clang. Any change of the bytes from
+// these inputs is to be noticed here, and the number is then replaced on purpose.
 TEST(Build, SameBytesFromEveryCompiler) {
   BuildOptions options;
   options.capsule = "liver_capsule";

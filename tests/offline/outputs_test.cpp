@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Outputs on file systems that can do less: without an exchange of two files (NFS, FUSE), and also
-// without second names (FAT). The system's calls are ours here, and refuse as those do.
+// without hard links (FAT). The system's calls are replaced here, and refuse as on those.
 #include "base/outputs.h"
 
 #include <fcntl.h>
@@ -24,15 +24,15 @@
 
 namespace {
 
-int renames_left = -1;  // -1: as many as are wanted
+int renames_left = -1;  // -1: without a limit
 std::mt19937 disk(5);
-bool takes_pieces = false;  // a call writes some bytes of what it is given, or a signal ends it
+bool takes_pieces = false;  // a call writes only some bytes, or a signal ends it
 
 }  // namespace
 
 extern "C" int rename(const char* from, const char* to) noexcept {
   if (renames_left == 0) {
-    renames_left = -1;  // what takes back is not hindered
+    renames_left = -1;  // the way back is not hindered
     errno = EIO;
     return -1;
   }
@@ -52,7 +52,7 @@ extern "C" ssize_t write(int file, const void* bytes, std::size_t size) {
 namespace stylet::test {
 namespace {
 
-// Ends with its test, however that ends.
+// Restores everything when its test ends, however it ends.
 struct Disk {
   FileSystem files;
   ~Disk() {
@@ -69,8 +69,8 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
   return names;
 }
 
-// Some files are there before, some are not; whatever step fails, all are as they were, and if none
-// does, all are new. In between an older file is never gone where it may have two names.
+// Some files exist before, some do not. If any step fails, all are as they were; if none does, all
+// are new. Where a file may have two names, an older file is never missing in between.
 TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
   std::mt19937 engine(4);
   int failed = 0, complete = 0;
@@ -89,7 +89,7 @@ TEST(Outputs, AppearTogetherOrNotAtAllOnFileSystemsThatCanDoLess) {
     try {
       offline::Outputs outputs;
       for (const auto& path : paths) outputs.add(path, std::string_view("new"));
-      const bool gone = engine() % 4 == 0;  // the last one's bytes: somebody has cleaned up
+      const bool gone = engine() % 4 == 0;  // the last file's bytes: somebody has removed them
       for (const auto& each : std::filesystem::directory_iterator(scratch.folder)) {
         const std::string name = each.path().filename().string();
         if (gone && name.starts_with(std::to_string(count - 1) + ".stylet-part-")) {
@@ -148,8 +148,8 @@ class Writer {
   pid_t process_ = 0;
 };
 
-// Whatever killed commands left goes with the next of the same output, which says so; what a living
-// one writes stays, and what only looks like it.
+// What killed commands left is removed by the next command with the same output, which says so;
+// what a living command writes stays, as do files that only look similar.
 TEST(Outputs, WhatKilledCommandsLeftIsRemovedByTheNext) {
   std::mt19937 engine(17);
   for (int round = 0; round < 30; ++round) {
@@ -197,7 +197,7 @@ TEST(Outputs, WhatKilledCommandsLeftIsRemovedByTheNext) {
   }
 }
 
-TEST(Outputs, EveryByteIsWrittenHoweverFewAreTakenAtOnce) {
+TEST(Outputs, EveryByteIsWrittenHoweverFewACallTakes) {
   const Disk system = {{true, true}};
   for (std::size_t size = 0; size < 80; ++size) {
     const Scratch scratch;
@@ -210,7 +210,7 @@ TEST(Outputs, EveryByteIsWrittenHoweverFewAreTakenAtOnce) {
   }
 }
 
-// A folder that is complete stays, also an empty one; one that is not goes again.
+// A complete folder stays, even an empty one; an incomplete one is removed.
 TEST(Outputs, FoldersStayOnceComplete) {
   const Scratch scratch;
   for (const bool complete : {false, true}) {

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Outputs of stylet-organ never destroy: every output against every input under names drawn at
-random, devices, folders, full disks, failures half way, permissions, sums of older files.
+"""Outputs of stylet-organ never destroy anything: every output against every input under random
+names, devices, folders, full disks, failures half-way, permissions, checksums of older files.
 
 usage: outputs_test.py   (STYLET_BIN)
 """
@@ -53,7 +53,7 @@ class Case(unittest.TestCase):
                               timeout=120, stdin=subprocess.DEVNULL, **options)
 
     def state(self):
-        """Of everything in the folder: kind, link, bytes."""
+        """Kind, link and bytes of everything in the folder."""
         found = {}
         for path in sorted(self.folder.rglob("*")):
             mode = path.lstat().st_mode
@@ -90,7 +90,7 @@ class Case(unittest.TestCase):
             self.assertIn(word, lines[0])
         self.assertEqual(self.state(), before)
 
-    # What each command reads, and its words except one output, which is put in for "OUT".
+    # What each command reads, and its arguments, in which one output takes the place of "OUT".
     COMMANDS = [
         (["cube.off"], ["build", "cube.off", "-o", "OUT"]),
         (["cube.off", "own.toml"], ["build", "cube.off", "--materials", "own.toml", "-o", "OUT"]),
@@ -124,7 +124,7 @@ class Case(unittest.TestCase):
             self.refused(before, done, "this command reads this file")
             os.rename(self.folder / name, self.folder / "r.toml")
 
-    def test_two_outputs_are_not_one(self):
+    def test_two_outputs_may_not_be_one_file(self):
         before = self.state()
         for seed in range(6):
             draw = random.Random(seed)
@@ -144,7 +144,7 @@ class Case(unittest.TestCase):
         for device in ("/dev/full", "/dev/null"):
             self.assertTrue(stat.S_ISCHR(os.stat(device).st_mode))
 
-    def test_targets_are_those_that_a_scene_takes(self):
+    def test_as_many_targets_as_a_scene_takes(self):
         """e2e/cli_test.py runs a scene with as many."""
         def built(targets):
             self.write("t.toml", ("[tissues]\nliver = [5]\n[targets]\n" + targets).encode())
@@ -168,8 +168,8 @@ class Case(unittest.TestCase):
         done = self.run_tool("build", "map.nrrd", "--recipe", "w.toml", "-o", "w.organ")
         self.refused(before, done, "w.toml: tissue 'lover': expected one of")
 
-    def test_names_of_what_is_open_stay(self):
-        """Links of the system, where standard output is a file, too."""
+    def test_links_to_open_files_stay(self):
+        """These are links of the system, also if standard output is a file."""
         names = ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1")
         before = [os.readlink(name) for name in names[:1]]
         with open(self.folder / "out.txt", "w", encoding="utf-8") as out:
@@ -185,7 +185,7 @@ class Case(unittest.TestCase):
         (self.folder / "far").mkdir()
         for link, target in (("hull", "far/hull.toml"), ("organ", "far/a.organ")):
             os.symlink(target, self.folder / link)
-            for _ in range(2):  # a link that leads to nothing yet, and to a file
+            for _ in range(2):  # a link to nothing yet, and then to a file
                 command = ["hull", "cube.off"] if link == "hull" else ["phantom", "block"]
                 self.assertEqual(self.run_tool(*command, "-o", link).returncode, 0)
                 self.assertEqual(os.readlink(self.folder / link), target)
@@ -201,7 +201,7 @@ class Case(unittest.TestCase):
             self.refused(before, self.run_tool("hull", "cube.off", "-o", output), said)
 
     def test_a_full_disk_leaves_what_was_there(self):
-        counted_nowhere = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}  # by coverage.sh
+        counted_nowhere = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}  # set by coverage.sh
         def no_room(most):
             return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
         for older in (False, True):
@@ -238,7 +238,7 @@ class Case(unittest.TestCase):
                 mode = stat.S_IMODE((self.folder / name).stat().st_mode)
                 self.assertEqual(mode, 0o666 & ~mask, name)
 
-    def test_no_sum_of_an_older_file_stays(self):
+    def test_no_checksum_of_an_older_file_stays(self):
         self.assertEqual(self.run_tool("phantom", "block", "--sum", "-o", "a.organ").returncode, 0)
         before = self.state()
         self.refused(before, self.run_tool("build", "nothing.off", "-o", "a.organ"), "no such file")
@@ -246,7 +246,7 @@ class Case(unittest.TestCase):
         self.assertFalse((self.folder / "a.organ.sha256").exists())
         self.assertEqual(self.run_tool("check", "a.organ").returncode, 0)
 
-    def test_what_is_no_sum_of_that_file_stays(self):
+    def test_a_file_that_is_no_checksum_of_it_stays(self):
         digits = hashlib.sha256(b"other").hexdigest()
         for text in ("important", "", f"{digits}  b.organ\n", f"{digits}  a.organ\nand more\n",
                      f"{digits[:-1]}g  a.organ\n"):

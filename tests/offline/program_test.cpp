@@ -26,12 +26,12 @@ struct Result {
 };
 
 #ifdef STYLET_SANITIZED
-constexpr bool kSanitized = true;  // whose shadow alone takes 20 TB of addresses
+constexpr bool kSanitized = true;  // shadow memory alone takes 20 TB of addresses
 #else
 constexpr bool kSanitized = false;
 #endif
 
-// Runs the program with its address space limited, as a child of its own.
+// Runs the program as a child process with a limited address space.
 Result run(const std::vector<std::string>& arguments, rlim_t memory_bytes = 1ULL << 30U) {
   const Scratch scratch;
   const std::string out = (scratch.folder / "out").string();
@@ -224,7 +224,7 @@ TEST(Program, SameCommandSameBytes) {
   EXPECT_EQ(slurp(one), slurp(two));
 }
 
-TEST(Program, WrongUsageIsTwoRefusalIsOne) {
+TEST(Program, WrongUsageExitsWithTwoARefusalWithOne) {
   const Scratch scratch;
   const std::string organ = (scratch.folder / "a.organ").string();
   EXPECT_EQ(run({}).exit_code, 2);
@@ -294,7 +294,7 @@ TEST(Program, OutputsDestroyNothing) {
   EXPECT_FALSE(std::filesystem::exists(at("mine.organ.sha256")));
 }
 
-// Whatever obstacle one of a command's outputs meets: all outputs appear, or every file is as it
+// Whatever prevents one of a command's outputs, either all outputs appear or every file is as it
 // was.
 TEST(Program, OutputsAppearTogetherOrNotAtAll) {
   const Scratch scratch;
@@ -306,7 +306,7 @@ TEST(Program, OutputsAppearTogetherOrNotAtAll) {
     words.insert(words.end(), more.begin(), more.end());
     return run(words);
   };
-  std::filesystem::create_directories(at("page/report.html"));  // in the report's way
+  std::filesystem::create_directories(at("page/report.html"));  // where the report should be
   std::ofstream(at("file")) << "no folder";
   std::filesystem::create_directory(at("a.organ.sha256"));
   const std::vector<std::vector<std::string>> fails = {{"--report", at("page")},
@@ -342,7 +342,7 @@ TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
       scratch.write("a", "old");
       const auto before = all_files(scratch.folder);
       const auto write = [&](void (*handler)(int)) {
-        (void)std::signal(signal, handler);  // under nohup it is ignored from before
+        (void)std::signal(signal, handler);  // as nohup does before it starts the program
         offline::Outputs outputs;
         outputs.add_folder(scratch.folder / "page");
         if (after == 1) (void)::raise(signal);
@@ -365,8 +365,8 @@ TEST(Outputs, SignalsWaitUntilFilesAreAsTheyWereOrComplete) {
   }
 }
 
-// Written in one go, and meeting an obstacle only then: every file is as it was.
-TEST(Outputs, WhatFailsLateIsTakenBack) {
+// If an obstacle appears only when outputs are moved into place, every file is as it was.
+TEST(Outputs, ALateFailureIsTakenBack) {
   const Scratch scratch;
   const auto at = [&](const char* name) { return scratch.folder / name; };
   scratch.write("old", "as it was");
@@ -382,7 +382,7 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
     }
     return said;
   };
-  // Somebody takes the folder of the last one away in between.
+  // Somebody removes the folder of the last output in between.
   const std::string late = refusal([&](offline::Outputs& outputs) {
     outputs.add(at("old"), std::string_view("new"));
     outputs.add(at("fresh"), std::string_view("new"));
@@ -392,7 +392,7 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
   });
   EXPECT_NE(late.find("last: cannot be written: No such file"), std::string::npos) << late;
   EXPECT_EQ(all_files(scratch.folder), before);
-  // A file that may not grow so large, as on a full disk.
+  // A limit on the size of files, as on a full disk.
   rlimit most{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &most), 0);
   const rlimit small{1000, most.rlim_max};
@@ -406,7 +406,7 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
   (void)std::signal(SIGXFSZ, handler);
   EXPECT_NE(said.find("large: cannot be written: File too large"), std::string::npos) << said;
   EXPECT_EQ(all_files(scratch.folder), before);
-  // A signal that is held back, as in a build that takes long.
+  // A signal that is blocked at first, as in a build that takes long.
   (void)std::signal(SIGHUP, [](int) {});
   EXPECT_EQ(refusal([&](offline::Outputs& outputs) {
               outputs.add(at("old"), std::string_view("new"));
@@ -417,8 +417,8 @@ TEST(Outputs, WhatFailsLateIsTakenBack) {
   EXPECT_EQ(all_files(scratch.folder), before);
 }
 
-// 64 voxels of a ten-thousandth of a millimetre, with a wall of centimetres around them: the
-// product of the sizes once wrapped.
+// 64 voxels of 0.0001 mm, with a wall of centimetres around them: the product of the sizes once
+// overflowed.
 TEST(Program, WallsAroundTinyVoxelsAreRefusedBeforeMemoryIsTaken) {
   const Scratch scratch;
   const std::string map = (scratch.folder / "map.nrrd").string();
@@ -463,7 +463,7 @@ TEST(Program, WarnsOfImplausibleSize) {
   EXPECT_EQ(run({"build", mesh, "--units", "m", "-o", organ}).err, "");
 }
 
-// Refusals that a wrong unit leads to must let the user see it.
+// A refusal that is caused by a wrong unit must let the user see that.
 TEST(Program, RefusalsOfWrongUnitsNameTheSize) {
   const Scratch scratch;
   const std::string flat =
@@ -544,7 +544,7 @@ TEST(Program, FilesThatCannotBeReadAreNamed) {
   const Scratch scratch;
   const std::string organ = (scratch.folder / "a.organ").string();
   const auto large = scratch.write("large.stl", "solid");
-  std::filesystem::resize_file(large, (4ULL << 30U) + 1);  // sparse
+  std::filesystem::resize_file(large, (4ULL << 30U) + 1);  // a sparse file
   const std::string longest = (scratch.folder / (std::string(300, 'a') + ".stl")).string();
   for (const auto& [path, reason] :
        {std::pair{large.string(), "4294967297 bytes: expected at most"},
@@ -555,8 +555,8 @@ TEST(Program, FilesThatCannotBeReadAreNamed) {
   }
 }
 
-// All that a report says of an open mesh with faces that are there twice, under a name that HTML
-// would interpret.
+// Everything that a report says of an open mesh with duplicate faces, under a name that HTML would
+// interpret.
 TEST(Program, ReportsSayWhatWasRepaired) {
   const Scratch scratch;
   const auto mesh = scratch.write(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The quality report: distances, pieces and gaps against what is known of simple bodies, and the
+// The quality report: distances, pieces and gaps of simple bodies against known values, and the
 // page as a user gets it.
 #include "report/quality.h"
 
@@ -42,20 +42,20 @@ TEST(Distance, OfParallelBoxesIsTheGapAndAtTheCornersItsDiagonal) {
   EXPECT_NEAR(in.most_m, 1, 1e-12);
   EXPECT_NEAR(in.mean_m, 1, 1e-12);
   EXPECT_GT(in.samples, 50'000U);
-  // Mean over a face of 12 x 12 around which lies a rim of 1. In the middle 100 at 1; on the four
-  // rims 4 * 10 at the mean of sqrt(1 + s^2) over 0..1, 1.1478; 4 corners at the mean over the unit
+  // Mean over a face of 12 x 12 with a rim of 1 around it. In the middle 100 at 1; on the four rims
+  // 4 * 10 at the mean of sqrt(1 + s^2) over 0..1, 1.1478; 4 corners at the mean over the unit
   // square, 1.2808.
   EXPECT_NEAR(out.mean_m, (100 + 40 * 1.1478 + 4 * 1.2808) / 144, 2e-3);
 }
 
-TEST(Distance, OfAMeshFromItselfIsNothing) {
+TEST(Distance, OfAMeshFromItselfIsZero) {
   const Mesh mesh = box_mesh({0, 0, 0}, {1, 2, 3});
   EXPECT_LT(offline::deviation(mesh, mesh).most_m, 1e-12);
 }
 
 // ---- what is kept, lost and glued ---------------------------------------------------------------
 
-TEST(Quality, OfABoxOnTheGridFindsNothing) {
+TEST(Quality, OfABoxOnTheGridFindsNoLoss) {
   const offline::Built built =
       build_quietly({input_of(box_mesh({0, 0, 0}, {40, 30, 20}), 1e-3)}, measured_at(5));
   const offline::Quality quality = quality_of(built);
@@ -74,7 +74,7 @@ TEST(Quality, OfABoxOnTheGridFindsNothing) {
 
 // Two slabs, 2 mm apart in voxels of 5 mm: one piece of tissue, and 12 x 12 gaps that are closed.
 // In voxels of 1 mm there are two pieces, and no gap is closed.
-TEST(Quality, GapNarrowerThanAVoxelIsSaidToBeClosed) {
+TEST(Quality, GapNarrowerThanAVoxelIsReportedAsClosed) {
   const Mesh slabs = both(box_mesh({0, 0, 0}, {60, 60, 16}), box_mesh({0, 0, 18}, {60, 60, 35}));
   const offline::Built coarse = build_quietly({input_of(slabs, 1e-3)}, measured_at(5));
   EXPECT_EQ(coarse.report.closed_gaps, 144U);
@@ -86,8 +86,8 @@ TEST(Quality, GapNarrowerThanAVoxelIsSaidToBeClosed) {
   EXPECT_EQ(quality_of(fine).pieces.size(), 2U);
 }
 
-// A rod of 1 mm through voxels of 5 mm of liver, and a bead in the liver: they have no voxel of
-// their own.
+// A rod of 1 mm through voxels of 5 mm of liver, and a bead in the liver: neither has a voxel of
+// its own.
 TEST(Quality, ThinPartsWithoutAVoxelAreCounted) {
   const Mesh thin = both(box_mesh({2, 21, 21}, {38, 22, 22}), box_mesh({31, 31, 31}, {32, 32, 32}));
   const offline::Built built = build_quietly(
@@ -103,7 +103,7 @@ TEST(Quality, ThinPartsWithoutAVoxelAreCounted) {
   EXPECT_THAT(facts["findings"].dump(), testing::HasSubstr("2 of 2 pieces have no voxel"));
 }
 
-TEST(Quality, PieceThatNothingHoldsIsSaidToDrift) {
+TEST(Quality, PieceThatNothingHoldsIsReportedAsDrifting) {
   const Mesh apart = both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({40, 0, 0}, {60, 20, 20}));
   offline::BuildOptions options = measured_at(5);
   options.held = offline::parse_regions({"x<5%"}, 1e-3);
@@ -115,8 +115,8 @@ TEST(Quality, PieceThatNothingHoldsIsSaidToDrift) {
               testing::HasSubstr("1 of 2 separate pieces"));
 }
 
-// Of boxes side by side, held below a height: each wholly, in part or not at all.
-TEST(Quality, PiecesThatCannotMoveAreTold) {
+// Boxes side by side, held below a given height: each wholly, in part or not at all.
+TEST(Quality, PiecesThatCannotMoveAreReported) {
   Draw draw(31);
   for (int repeat = 0; repeat < 20; ++repeat) {
     std::vector<offline::Input> inputs;
@@ -149,10 +149,9 @@ TEST(Quality, PiecesThatCannotMoveAreTold) {
   }
 }
 
-// A map of 2 mm that one tissue fills up to its edges, except for one voxel of a lesion in it,
-// which no sample of voxels of 15 mm meets; and a triangle without area, which is not a piece of a
-// mesh.
-TEST(Quality, PiecesThatNoVoxelHasAreCounted) {
+// A map of 2 mm is filled by one tissue, except for one voxel of a lesion, which no sample of
+// voxels of 15 mm meets. And a triangle without area is no piece of a mesh.
+TEST(Quality, PiecesWithoutAnyVoxelAreCounted) {
   offline::LabelMap map;
   map.size = {30, 22, 22};
   map.step_m = {Vec{2e-3, 0, 0}, Vec{0, 2e-3, 0}, Vec{0, 0, 2e-3}};
@@ -176,8 +175,8 @@ TEST(Quality, PiecesThatNoVoxelHasAreCounted) {
   EXPECT_EQ(build_quietly({input_of(mesh, 1e-3)}, measured_at(5)).report.shares[0].pieces, 1U);
 }
 
-// What is measured does not change what is built.
-TEST(Quality, MeasuringLeavesTheBytesAlone) {
+// Measuring does not change the organ.
+TEST(Quality, MeasuringChangesNoByte) {
   const Mesh mesh = box_mesh({0, 0, 0}, {43, 30, 21});
   offline::BuildOptions options = measured_at(5);
   const offline::Built with = build_quietly({input_of(mesh, 1e-3)}, options);
@@ -230,7 +229,7 @@ TEST(MeshSet, OfAnAbdomenIsOneLattice) {
     EXPECT_EQ(each.pieces_lost, 0U) << each.from;
     most_m3 += each.input_m3;
   }
-  // The last has the highest priority: all of it is its own.
+  // The last organ has the highest priority: it keeps all of its volume.
   EXPECT_NEAR(built.report.shares.back().given_m3 / built.report.shares.back().sampled_m3, 1, 1e-9);
   const Organ organ = opened(built.bytes);
   EXPECT_EQ(organ.material_count, 6U);
@@ -283,8 +282,8 @@ TEST(Page, OfAPatientHasPicturesTablesAndTheSameBytesTwice) {
 }
 
 // A block of liver beside a rib, as NRRD, which knows the patient's sides, and as an Inrimage,
-// which does not; fitted to a machine whose ticks cost 30 us and 20 ns a voxel and substep.
-TEST(Page, SaysWhoseSidesItShowsWhatLiesBesideAndWhatATickTakes) {
+// which does not; fitted to a machine whose ticks take 30 us plus 20 ns for each voxel and substep.
+TEST(Page, ShowsWhichSideIsWhichWhatLiesBesideAndWhatATickTakes) {
   const Scratch scratch;
   std::string voxels;
   for (int i = 0; i < 12 * 10 * 8; ++i) {
@@ -339,9 +338,9 @@ TEST(Page, SaysWhoseSidesItShowsWhatLiesBesideAndWhatATickTakes) {
   }
 }
 
-// A part cut from inside a block has no surface of the input that it could be compared with or that
-// could be seen.
-TEST(Page, OfAPartWithoutSurfaceLeavesItOut) {
+// A part cut from inside a block has no surface of the input: none to compare with, and none to
+// show.
+TEST(Page, OfAPartWithoutSurfaceShowsNone) {
   const Scratch scratch;
   offline::Mesh block = box_mesh({0, 0, 0}, {60, 60, 60});
   scratch.write("a.off", offline::off_text(block));
@@ -359,8 +358,8 @@ TEST(Page, OfAPartWithoutSurfaceLeavesItOut) {
   EXPECT_TRUE(facts["quality"]["surface"].is_null());
 }
 
-// What nothing holds has no resonance; what is held has one.
-TEST(Page, TellsTheResonanceOfWhatIsHeld) {
+// A free body has no resonance; a held one has.
+TEST(Page, HasTheResonanceOfABodyThatIsHeld) {
   const Scratch scratch;
   scratch.write("a.off", offline::off_text(box_mesh({0, 0, 0}, {60, 60, 60})));
   for (const std::string fix : {"none", "z<10%"}) {

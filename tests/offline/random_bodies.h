@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tests of organ building draw at random, the same everywhere for a seed; meshes put together.
+// Random bodies for tests of organ building, the same everywhere for a seed; and meshes joined into
+// one.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each reader on the spellings of its format, on what it must refuse, and on the words with which
-// it refuses.
+// Each reader with the spellings of its format, with files that it must refuse, and the words with
+// which it refuses.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ std::string refusal(const std::string& name, const std::string& bytes) {
 
 // ---- OBJ ----------------------------------------------------------------------------------------
 
-TEST(Obj, FansPolygonsAndCountsBackwards) {
+TEST(Obj, DividesPolygonsIntoTrianglesAndAcceptsNegativeIndices) {
   const ReadMesh m = read("a.obj",
                           "v 0 0 0\nv 1 0 0\nv 1 1 0 # comment\nv 0 1 0\n"
                           "vt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1 4\nf -4 -3 -2\n");
@@ -53,7 +53,7 @@ TEST(Obj, FansPolygonsAndCountsBackwards) {
   EXPECT_EQ(m.counts.polygons, 1U);
 }
 
-TEST(Obj, JoinsContinuedLinesAndTakesWindowsLineEnds) {
+TEST(Obj, JoinsContinuedLinesAndAcceptsWindowsLineEnds) {
   const ReadMesh m = read("a.obj", "v 0 0 \\\r\n0\r\nv 1 0 0\r\nv +1 1e0 0\r\nf 1 2 \\\r\n 3\r\n");
   ASSERT_EQ(m.mesh.points.size(), 3U);
   EXPECT_EQ(m.mesh.points[2], (Vec{1, 1, 0}));
@@ -68,7 +68,7 @@ TEST(Obj, CountsWhatItLeavesOut) {
   EXPECT_EQ(m.counts.unusable_points, 1U);
 }
 
-TEST(Obj, NamesPlaceAndValueOfWhatItRefuses) {
+TEST(Obj, RefusesWithPlaceAndValue) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
   EXPECT_THAT(refusal("a.obj", three + "f 1 2 0\n"), HasSubstr("a.obj:4: '0': expected a point"));
   EXPECT_THAT(refusal("a.obj", three + "f 1 2 7\n"),
@@ -81,7 +81,7 @@ TEST(Obj, NamesPlaceAndValueOfWhatItRefuses) {
   EXPECT_THAT(refusal("a.obj", "v 0 0 0\n"), HasSubstr("no usable face"));
 }
 
-TEST(Obj, NumbersOfPointsAreWholeAndInRange) {
+TEST(Obj, IndicesOfPointsMustBeWholeAndInRange) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
   for (const std::string corner :
        {"x", "1.5", "1x", "4294967295", "99999999999999999999", "+-1", "/2", "-"}) {
@@ -103,13 +103,13 @@ TEST(Obj, JoinsAsManyLinesAsAreContinued) {
       for (auto i = engine() % 3; i > 0; --i) text += engine() % 2 == 0 ? " \\\n" : " \\\r\r\n";
       text += std::string(" ") + corner;
     }
-    if (engine() % 2 == 0) text += "\\";  // and nothing behind
+    if (engine() % 2 == 0) text += "\\";  // and nothing after it
     EXPECT_EQ(read("a.obj", text).mesh.triangles, (std::vector{offline::Triangle{0, 1, 2}}))
         << text;
   }
 }
 
-TEST(ReadMesh, TakesNoMoreThanTenThousandPointsWithoutPlace) {
+TEST(ReadMesh, AcceptsAtMostTenThousandPointsWithoutPosition) {
   const auto with = [](int bad) {
     std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
     for (int i = 0; i < bad; ++i) text += "v nan 0 0\n";
@@ -142,8 +142,7 @@ TEST(Stl, ReadsText) {
   EXPECT_EQ(m.mesh.triangles.size(), 1U);
 }
 
-// The facets of a tetrahedron; between the words there is a random choice of new line, blank, name
-// and capitals.
+// The facets of a tetrahedron, written with random line ends, blanks, names and capitals.
 TEST(Stl, TextMayBeOneLine) {
   std::mt19937 engine(5);
   const auto pick = [&](std::initializer_list<const char*> of) {
@@ -172,7 +171,7 @@ TEST(Stl, BinaryMayBeginWithSolid) {
   EXPECT_EQ(read("a.stl", binary_stl(2, 2, "solid made by an exporter")).mesh.triangles.size(), 2U);
 }
 
-TEST(Stl, RefusesMoreThanTheFileHolds) {
+TEST(Stl, RefusesToClaimMoreThanTheFileContains) {
   EXPECT_THAT(refusal("a.stl", binary_stl(0xFFFFFFFF, 2)),
               HasSubstr("byte 80: 4294967295: expected at most 2 triangles"));
   EXPECT_THAT(refusal("a.stl", binary_stl(3, 6)),
@@ -190,7 +189,7 @@ TEST(Stl, TextEndsWithItsLastLoop) {
   EXPECT_THAT(refusal("a.stl", binary), HasSubstr("byte 80: 5: expected at most 0 triangles"));
 }
 
-TEST(Stl, NamesTheByteOfANumberThatIsNone) {
+TEST(Stl, NamesTheByteOfAnInvalidNumber) {
   std::string bytes = binary_stl(1, 1);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(bytes.data() + 84 + 12, &nan, 4);
@@ -242,7 +241,7 @@ TEST(Ply, ReadsAnyLayoutInEveryEncoding) {
   }
 }
 
-TEST(Ply, RefusesWhatTheFileCannotHold) {
+TEST(Ply, RefusesToClaimMoreThanTheFileContains) {
   std::string cut = binary_ply(false);
   cut.resize(cut.size() - 3);
   EXPECT_THAT(refusal("a.ply", cut), HasSubstr("end of file"));
@@ -317,7 +316,7 @@ TEST(Ply, ReadsEveryTypeOfNumber) {
   }
 }
 
-TEST(Ply, RefusesHeadersAndIndicesThatMeanNothing) {
+TEST(Ply, RefusesInvalidHeadersAndIndices) {
   const std::string head = "ply\nformat ascii 1.0\n";
   const std::string points = "element vertex 3\nproperty float x\nproperty float y\n";
   const std::string faces = "element face 1\nproperty list uchar int vertex_index\nend_header\n";
@@ -333,7 +332,7 @@ TEST(Ply, RefusesHeadersAndIndicesThatMeanNothing) {
   for (const auto& [text, reason] : bad) {
     EXPECT_THAT(refusal("a.ply", head + text), HasSubstr(reason)) << text;
   }
-  // A list of points is no coordinate, whatever it is called.
+  // A list is no coordinate, whatever its name.
   EXPECT_THAT(refusal("a.ply", head + points + "property list uchar float z\n" + faces +
                                    "0 0 1 9\n0 1 1 9\n1 1 1 9\n3 0 1 2\n"),
               HasSubstr("expected finite"));
@@ -367,7 +366,7 @@ TEST(Off, RefusesWithPlace) {
 
 // A point or face takes at least two bytes, a digit and the end of its line: 17 bytes cannot hold
 // nine.
-TEST(Off, ClaimsNoMoreThanTheFileHolds) {
+TEST(Off, RefusesToClaimMoreThanTheFileContains) {
   EXPECT_THAT(refusal("a.off", "OFF\n9 1 0\n0 0 0\n\n"),
               HasSubstr("a.off:2: '9': expected a number of points from 0 to 8"));
   EXPECT_THAT(refusal("a.off", "OFF\n1 9 0\n0 0 0\n\n"),
@@ -379,8 +378,8 @@ TEST(Off, WrittenMeshReadsBackToTheBit) {
   EXPECT_EQ(read("a.off", offline::off_text(mesh)).mesh.points, mesh.points);
 }
 
-// The size of the kernel's own files is said to be a page, and they end much before it.
-TEST(ReadFile, SaysWhereAFileEndsThatIsShorterThanItSays) {
+// Files of Linux in /sys claim the size of a page and end much earlier.
+TEST(ReadFile, SaysWhereAFileEndsThatIsShorterThanItsSize) {
   const std::filesystem::path file = "/sys/devices/system/cpu/online";
   SKIP_WITHOUT(file);
   const std::string size = std::to_string(std::filesystem::file_size(file));
@@ -393,8 +392,7 @@ TEST(ReadFile, SaysWhereAFileEndsThatIsShorterThanItSays) {
   }
 }
 
-// Root may read every file: if the tests run as root, they read as somebody else what others may
-// not read.
+// Root may read every file: if the tests run as root, they read as another user.
 TEST(ReadFile, NamesAFileThatOnlyOthersMayRead) {
   constexpr uid_t kNobody = 65534;
   const Scratch scratch;
@@ -437,8 +435,8 @@ TEST(ReadMesh, RefusesOtherFilesByName) {
   EXPECT_THROW((void)offline::read_mesh("/no/such/file.obj"), offline::Refusal);
 }
 
-// Of every format that there is or will be: the name decides in letters of either case, and what is
-// no mesh is refused with the file's name.
+// For every format in the list, also later ones: the ending decides, in capitals or not, and a file
+// that is no mesh is refused with its name.
 TEST(ReadMesh, KnowsEveryFormatOfTheListByItsEnding) {
   std::string endings;
   for (const offline::MeshFormat& format : offline::kMeshFormats) {
@@ -458,7 +456,7 @@ TEST(ReadMesh, KnowsEveryFormatOfTheListByItsEnding) {
   EXPECT_THAT(endings, testing::StartsWith(".obj .stl .ply .off"));
 }
 
-// A good file that is cut anywhere must not crash a reader, and must give a mesh or a refusal.
+// A good file that is cut anywhere gives a mesh or a refusal, and crashes no reader.
 TEST(ReadMesh, SurvivesEveryCut) {
   for (const std::string& whole : {binary_ply(false), binary_stl(2, 2)}) {
     const std::string name = whole.starts_with("ply") ? "a.ply" : "a.stl";

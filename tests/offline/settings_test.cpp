@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user's choices become, and what is not a choice. The program has some of these refused by
-// its command line before; the Python module has not. Recipes and tissues from tables are those of
-// files with the same content.
+// What a user's settings lead to, and which settings are refused. For the program some are already
+// refused by its command line, but not for the Python module. Recipes and tissues from tables are
+// those from files with the same content.
 #include "pipeline/settings.h"
 
 #include <fmt/format.h>
@@ -55,7 +55,7 @@ BuildOptions for_mesh(const Settings& settings, const std::string& tissue) {
   return options;
 }
 
-TEST(Settings, DefaultsAreToldInFull) {
+TEST(Settings, DefaultsAreReportedInFull) {
   const BuildOptions of_map = for_labels({}, recipe_with({"gel", "liver"}));
   EXPECT_EQ(of_map.options_text,
             "--voxel-mm 5 --fix x>90% --fix z<10% --recipe recipe.toml --capsule liver_capsule");
@@ -72,7 +72,7 @@ TEST(Settings, DefaultsAreToldInFull) {
   EXPECT_EQ(of_mesh.capsule, "");
 }
 
-TEST(Settings, EveryChoiceIsTakenAndTold) {
+TEST(Settings, EverySettingIsUsedAndReported) {
   const Scratch scratch;
   Settings s;
   s.name = "mine";
@@ -123,7 +123,7 @@ TEST(Settings, LayersDivideTheOnlyTissueThereIs) {
   EXPECT_EQ(for_mesh(s, "muscle").options_text, said);
 }
 
-TEST(Settings, ChoicesForALabelMapAreTakenAndTold) {
+TEST(Settings, SettingsForALabelMapAreUsedAndReported) {
   Settings s;
   s.layers = {"fat:2.5"};
   s.layers_of = "gel";
@@ -140,7 +140,7 @@ TEST(Settings, ChoicesForALabelMapAreTakenAndTold) {
   EXPECT_TRUE(o.split);
 }
 
-TEST(Settings, ARateIsToldInsteadOfTheEdge) {
+TEST(Settings, ARateIsReportedInsteadOfTheEdge) {
   Settings s;
   s.fit = "1kHz";
   EXPECT_THAT(for_mesh(s, "gel").options_text, testing::StartsWith("--fit 1kHz --fix"));
@@ -174,7 +174,7 @@ TEST(Settings, WallAndGapsOfARecipe) {
               HasSubstr("tissue 'livr'"));
 }
 
-TEST(Settings, WhatCannotBeMeantIsRefused) {
+TEST(Settings, SettingsThatContradictEachOtherAreRefused) {
   Settings layered;
   layered.layers = {"fat:3"};
   layered.layers_of = "gel";
@@ -225,7 +225,7 @@ TEST(Tables, AreFilesWithTheSameContent) {
   EXPECT_EQ(tissues[0].source, "materials");
 }
 
-TEST(Tables, RefusalsHaveNoLineWhereThereIsNone) {
+TEST(Tables, RefusalsOfTablesNameNoLine) {
   const toml::table wrong{{"tissues", toml::table{{"liver", "all"}}}};
   EXPECT_EQ(refusal_of([&] { (void)offline::recipe_of(wrong, "recipe"); }),
             "recipe: liver: expected a list of labels");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts that do not touch get voxels of their own: what is apart in the input is apart in the
-// kernel, what hangs together stays together, and bodies without gaps come out as without this
-// option.
+// Parts that do not touch get voxels of their own: parts that are separate in the input are
+// separate in the kernel, connected ones stay connected, and bodies without gaps are built as
+// without this option.
 #include "voxels/sheets.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ offline::BuildOptions split_at(double voxel_mm, bool split) {
   return options;
 }
 
-// Turned, so that no face lies along the grid.
+// A body turned so that no face lies along the grid.
 Mesh turned(Mesh mesh, double angle) {
   for (Vec& p : mesh.points) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -109,7 +109,7 @@ std::size_t pieces_of(const offline::Built& built) {
       .pieces.size();
 }
 
-TEST(Sheets, BodiesWithoutGapsComeOutAsTheyDid) {
+TEST(Sheets, BodiesWithoutGapsAreBuiltAsWithoutThem) {
   for (const double voxel_mm : {3.1, 5.0, 7.3}) {
     for (const Mesh& mesh : {ball(30, 24), turned(box_mesh({0, 0, 0}, {60, 40, 25}), 0.4),
                              box_mesh({0, 0, 0}, {50, 45, 40})}) {
@@ -140,12 +140,12 @@ TEST(Sheets, SlabsInOneVoxelAreApart) {
   measured.measured = true;
   const auto with = build_quietly(inputs, measured);
   EXPECT_EQ(with.bytes, split.bytes);
-  EXPECT_EQ(with.report.closed_gaps, 0U);  // none was
+  EXPECT_EQ(with.report.closed_gaps, 0U);  // no gap was closed
 }
 
-// A needle straight through both slabs meets each for as long as it is thick, and meets the gap
-// between them, whichever of the voxels of a shared cell it is in.
-TEST(Sheets, BothPartsOfACellAndTheGapAreAsThickAsTheyAre) {
+// A needle straight through both slabs is in each for its thickness, and meets the gap between
+// them, whichever voxel of a shared cell it is in.
+TEST(Sheets, BothPartsOfACellAndTheGapHaveTheirThickness) {
   const double low_m = 12e-3, high_m = 11.5e-3;
   const std::vector<offline::Input> inputs = {
       input_of(turned(box_mesh({0, 0, 0}, {60, 60, 12}), 0.3), 1e-3, "liver"),
@@ -178,8 +178,8 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-// The gap runs in every direction, through cells that hold a little of either body, of both, or
-// only their surfaces.
+// The gap runs in every direction, through cells with a little of either body, of both, or only of
+// their surfaces.
 TEST(Sheets, ABallInAHollowOneIsApartAllAround) {
   Draw draw(3);
   for (int i = 0; i < 6; ++i) {
@@ -213,7 +213,7 @@ offline::LabelMap two_slabs(std::uint32_t gap) {
   return map;
 }
 
-TEST(Sheets, OrgansOfAMapAreApartWhereItSaysSoAndShareWhereTheyTouch) {
+TEST(Sheets, OrgansOfAMapAreSeparateAcrossGapsAndConnectedWhereTheyTouch) {
   offline::Recipe recipe;
   recipe.groups = {{"kidney", {2}}, {"liver", {1}}};
   const auto pieces = [&](std::uint32_t gap, bool split) {
@@ -225,7 +225,7 @@ TEST(Sheets, OrgansOfAMapAreApartWhereItSaysSoAndShareWhereTheyTouch) {
   EXPECT_EQ(pieces(3, true), 2U);
 }
 
-TEST(Sheets, LobesHangTogetherWhereTheyDo) {
+TEST(Sheets, LobesAreConnectedOnlyAtTheirBase) {
   for (const double angle : {0.0, 0.3, 0.7}) {
     const Mesh mesh = turned(two_lobes(2.4), angle);
     const auto split = build_quietly({input_of(mesh, 1e-3)}, split_at(5, true));
@@ -245,8 +245,8 @@ offline::Lattice split_of(offline::Claims claims) {
   return offline::split_parts(claims, places, whole);
 }
 
-// Full cells touch wherever they meet, be it in an edge or a corner.
-TEST(Sheets, FullCellsHangTogetherHoweverTheyMeet) {
+// Full cells are connected wherever they meet, even in an edge or a corner.
+TEST(Sheets, FullCellsAreConnectedHoweverTheyMeet) {
   Draw draw(49);
   for (int round = 0; round < 40; ++round) {
     const auto side = [&] { return static_cast<std::uint32_t>(2 + draw.below(6)); };
@@ -282,10 +282,10 @@ std::set<std::array<std::uint32_t, 3>> particles_of(const offline::Lattice& latt
   return particles;
 }
 
-// Three cells along each side. The body in one cell touches the middle cell on a face, another body
-// touches it at a corner across from there. In the middle there is no sample, only surface, which
-// goes with the body on the face.
-TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
+// There are three cells along each side. The body in one cell touches the middle cell on a face;
+// another body touches it at a corner on the opposite side. The middle cell contains no sample,
+// only surface, which belongs to the body on the face.
+TEST(Sheets, ACellOfSurfaceAloneBelongsToTheBodyOnItsFace) {
   for (std::size_t face = 0; face < 6; ++face) {
     for (unsigned across = 0; across < 4; ++across) {
       const std::size_t axis = face / 2;
@@ -309,12 +309,12 @@ TEST(Sheets, ACellOfSurfaceAloneGoesWithTheBodyOnItsFace) {
       EXPECT_EQ(common.size(), 4U) << face << " " << across;
       std::set_intersection(of_middle.begin(), of_middle.end(), of_corner.begin(), of_corner.end(),
                             std::back_inserter(common));
-      EXPECT_EQ(common.size(), 4U) << face << " " << across;  // and none more
+      EXPECT_EQ(common.size(), 4U) << face << " " << across;  // and no more
     }
   }
 }
 
-// Samples of a cell by their place in it, in its edge.
+// Samples of a cell by their position in it, in edges.
 std::uint64_t samples_where(const std::function<bool(Vec)>& is) {
   std::uint64_t inside = 0;
   for (std::uint32_t i = 0; i < 64; ++i) {
@@ -331,11 +331,10 @@ std::multiset<std::uint64_t> parts_in(const offline::Lattice& lattice, std::size
 }
 
 // Two bodies side by side in a cell, of eight samples each, and beyond a gap a speck of one sample.
-// The speck gets no voxel of its own where it hangs together with nothing: it then goes with the
-// nearest body. Where it hangs together with one of the bodies around the cell, it goes with that
-// one, even if it is the farther. Where it hangs together with something else, it has its own
-// voxel.
-TEST(Sheets, ASpeckGoesWithWhatItHangsWithOrWithTheNearest) {
+// If the speck is connected to nothing, it gets no voxel of its own and belongs to the nearest
+// body. If it is connected to one of the bodies around the cell, it belongs to that one, even if it
+// is farther away. If it is connected to something else, it has its own voxel.
+TEST(Sheets, ASpeckBelongsToTheBodyItTouchesOrToTheNearest) {
   const std::uint64_t left = samples_where([](Vec at) { return at.x < 0.25 && at.y < 0.5; });
   const std::uint64_t right = samples_where([](Vec at) { return at.x > 0.75 && at.y < 0.5; });
   ASSERT_GE(std::min(std::popcount(left), std::popcount(right)), offline::kLeastPart);
@@ -356,7 +355,7 @@ TEST(Sheets, ASpeckGoesWithWhatItHangsWithOrWithTheNearest) {
     EXPECT_THAT(parts_in(split_of(claims), middle),
                 testing::UnorderedElementsAre(left, right, speck))
         << i;
-    // The left one reaches round to it.
+    // The left body reaches around to the speck.
     claims.inside[middle - 1] = claims.inside[behind - 1] = kAll;
     EXPECT_THAT(parts_in(split_of(claims), middle),
                 testing::UnorderedElementsAre(left | speck, right))

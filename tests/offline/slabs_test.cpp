@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How thick structures are at the planes in which they were drawn; on drawn distances and on
-// distances chosen by hand.
+// How thick structures are at the planes in which they were outlined; with random distances and
+// with distances chosen by hand.
 #include "maps/slabs.h"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@
 namespace stylet::test {
 namespace {
 
-// Some of many planes, with distances between them about as given.
+// Some of many planes, with about the given distances.
 struct Drawn {
   std::vector<double> along_m;
   std::vector<std::size_t> own;
@@ -35,8 +35,8 @@ Drawn drawn_planes(Draw& draw, const std::vector<double>& gaps_m) {
   return drawn;
 }
 
-// Whether a structure was drawn across a gap: the gap is hardly wider than usual, or one of three
-// alike in a row.
+// Whether a structure was outlined across a gap: the gap is hardly wider than usual, or one of
+// three equal gaps in a row.
 bool is_through(const std::vector<double>& gaps, std::size_t i, double usual) {
   const auto alike = [&](std::size_t a, std::size_t b) {
     return a < gaps.size() && b < gaps.size() && gaps[a] <= 1.5 * gaps[b] &&
@@ -46,7 +46,7 @@ bool is_through(const std::vector<double>& gaps, std::size_t i, double usual) {
          (alike(i - 1, i) && alike(i, i + 1)) || (alike(i - 2, i - 1) && alike(i - 1, i));
 }
 
-TEST(Slabs, ReachHalfOfTheWayToTheNextPlaneThatIsDrawn) {
+TEST(Slabs, ReachHalfOfTheWayToTheNextOutlinedPlane) {
   Draw draw(61);
   std::array<int, 2> seen{};
   for (int round = 0; round < 400; ++round) {
@@ -82,7 +82,7 @@ TEST(Slabs, ReachHalfOfTheWayToTheNextPlaneThatIsDrawn) {
 }
 
 // Planes of 3 mm, then a gap; and three gaps of 9 mm, as of a structure drawn on every third plane.
-TEST(Slabs, AreEmptyWhereOneWayIsWideAndFilledWhereThreeAre) {
+TEST(Slabs, AreEmptyAcrossOneWideGapAndFilledAcrossThree) {
   const auto ends_mm = [](const std::vector<double>& along_mm) {
     std::vector<double> along_m;
     std::vector<std::size_t> own;
@@ -108,8 +108,9 @@ TEST(Slabs, AreEmptyWhereOneWayIsWideAndFilledWhereThreeAre) {
       ElementsAre(-1.5, 1.5, 1.5, 4.5, 4.5, 7.5, 7.5, 13.5, 13.5, 22.5, 22.5, 31.5, 31.5, 40.5));
 }
 
-// Planes off by the last digits of their places, or by a hundredth of their distance, are even.
-TEST(Slabs, MakeLayersAsThickAsTheyAreWhereTheyAreEven) {
+// Planes that are off by the last digits of their positions, or by a hundredth of their distance,
+// count as even.
+TEST(Slabs, MakeLayersOfTheirDistanceWhereTheyAreEven) {
   Draw draw(62);
   for (int round = 0; round < 200; ++round) {
     const double step = draw.between(0.0005, 0.005), low = draw.between(-1, 1);
@@ -117,7 +118,7 @@ TEST(Slabs, MakeLayersAsThickAsTheyAreWhereTheyAreEven) {
     const double off = even ? 0.95 * (2e-5 + 0.01 * step) : 1.05 * (2e-5 + 0.01 * step);
     std::vector<offline::Slabs> slabs(1 + draw.below(3));
     std::vector<std::vector<offline::Span>> spans(slabs.size());
-    slabs[0][0] = {low, low + step};  // the thinnest and the lowest, exactly
+    slabs[0][0] = {low, low + step};  // exactly the thinnest and the lowest
     spans[0].push_back({0, 1});
     std::uint32_t top = 1;
     for (std::size_t s = 0; s < slabs.size(); ++s) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Repair, winding numbers and voxels on bodies whose volume is known in closed form.
+// Repair, winding numbers and voxels, on bodies whose volume is known in closed form.
 #include <bit>
 #include <numbers>
 #include <random>
@@ -20,7 +20,7 @@ using offline::Mesh;
 using offline::Vec;
 
 constexpr double kMm = 1e-3;
-// The voxel edge is a float in the file, so that a volume is right up to three of its roundings.
+// The voxel edge is a float in the file, so a volume is right up to three of its roundings.
 constexpr double kEdgeRounding = 3 * 6e-8;
 
 double built_volume_ml(const Mesh& mesh_m, double voxel_mm, bool wrap = false) {
@@ -48,7 +48,7 @@ void append(Mesh& mesh, const Mesh& other, bool turned) {
   }
 }
 
-TEST(Volume, BlockInStepWithTheGridIsExactAndHasNoExtraLayer) {
+TEST(Volume, ABlockAlignedWithTheGridIsExactAndHasNoExtraLayer) {
   for (const double voxel_mm : {5.0, 2.5, 10.0}) {
     BuildOptions options;
     options.voxel_edge_m = voxel_mm * kMm;
@@ -60,13 +60,14 @@ TEST(Volume, BlockInStepWithTheGridIsExactAndHasNoExtraLayer) {
 }
 
 // 64 samples per axis: a face parallel to the grid is placed to within 1/128 of a voxel edge.
-TEST(Volume, BlockOutOfStepIsWithinTheSampling) {
+TEST(Volume, ABlockNotAlignedWithTheGridIsWithinTheSampling) {
   const double exact_ml = 61.3 * 42.1 * 23.7 * 1e-3;
   const double face_error = 5.0 / 64 * (1 / 61.3 + 1 / 42.1 + 1 / 23.7);
   EXPECT_NEAR(built_volume_ml(block_mm(61.3, 42.1, 23.7), 5), exact_ml, exact_ml * face_error);
 }
 
-// The mesher's facets lie inside the sphere by at most 0.25 % of the radius: 0.75 % of the volume.
+// The mesher's facets lie inside the sphere by at most 0.25 % of the radius, which is 0.75 % of the
+// volume.
 TEST(Volume, BallIsFourThirdsPiRCubed) {
   const double exact_ml = 4.0 / 3.0 * std::numbers::pi * 27;
   EXPECT_NEAR(built_volume_ml(offline::ball_phantom(60 * kMm, 5 * kMm), 5), exact_ml,
@@ -87,14 +88,14 @@ TEST(Volume, ShuffledFacesAreTurned) {
   EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 64 * kEdgeRounding);
 }
 
-TEST(Volume, CavityStaysEmptyAndSecondPieceCounts) {
+TEST(Volume, ACavityStaysEmptyAndASecondPieceCounts) {
   Mesh mesh = block_mm(60, 60, 60);
   Mesh hollow = block_mm(20, 20, 20);
   move(hollow, Vec{20, 0, 0} * kMm);
   append(mesh, hollow, true);
   Mesh apart = block_mm(10, 10, 10);
   move(apart, Vec{80, 0, 0} * kMm);
-  append(mesh, apart, true);  // inside out, but not within another: turned
+  append(mesh, apart, true);  // inside out, but not within another body: it is turned
   EXPECT_NEAR(built_volume_ml(mesh, 5), 216 - 8 + 1, 209 * kEdgeRounding);
 }
 
@@ -104,8 +105,8 @@ TEST(Volume, DoubledSheetsCountOnce) {
   EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 64 * kEdgeRounding);
 }
 
-// A window of 20 x 20 mm in a wall, four voxels wide. The flood comes in, and the winding number
-// keeps the inside. It may cut a dent below the window, about as large as the window's size cubed.
+// A window of 20 x 20 mm in a wall, four voxels wide. The flood fill enters, and the winding number
+// keeps the inside. A dent below the window may be lost, of about the cube of the window's size.
 TEST(Volume, HoleWiderThanAVoxelIsBridged) {
   Mesh mesh = block_mm(60, 60, 60);
   std::erase_if(mesh.triangles, [&](const offline::Triangle& t) {
@@ -118,11 +119,11 @@ TEST(Volume, HoleWiderThanAVoxelIsBridged) {
   EXPECT_NEAR(volume_m3(opened(built.bytes)) * 1e6, 216, 8);
 }
 
-TEST(Volume, NoneIsRefusedUnlessWrapped) {
+TEST(Volume, ASurfaceWithoutVolumeIsRefusedUnlessWrapped) {
   const Mesh triangle{{{0, 0, 0}, {0.03, 0, 0}, {0, 0.03, 0}}, {{0, 1, 2}}};
   EXPECT_THROW((void)built_volume_ml(triangle, 5), offline::Refusal);
-  // The skin stands off by half a millimetre on both sides of 4.5 cm^2 and around a rim of 10.2 cm.
-  // Its facets, a voxel long, cut the rim and its corners short.
+  // The skin is half a millimetre away on both sides of 4.5 cm^2 and around a rim of 10.2 cm. Its
+  // facets, a voxel long, cut off the rim and its corners.
   const double slab_ml = 0.45, rim_ml = 10.2 * std::numbers::pi / 2 * 0.05 * 0.05;
   const double skin_ml = built_volume_ml(triangle, 5, true);
   EXPECT_GT(skin_ml, slab_ml * 2 / 3);
@@ -133,7 +134,7 @@ TEST(Winding, IsOneInsideZeroOutside) {
   const Mesh ball = offline::ball_phantom(60 * kMm, 5 * kMm);
   const offline::TriangleTree tree = offline::triangle_tree(ball.points, ball.triangles);
   for (int i = -20; i <= 20; ++i) {
-    const double x = i * 2.1 * kMm;  // never nearer than 0.6 mm to the surface
+    const double x = i * 2.1 * kMm;  // at least 0.6 mm from the surface
     const double expected = std::abs(x) < 30 * kMm ? 1 : 0;
     EXPECT_NEAR(offline::winding_number(tree, {x, 0.3 * kMm, 0.2 * kMm}), expected, 0.05) << x;
     EXPECT_EQ(offline::crossings(tree, {x, 0.3 * kMm, 0.2 * kMm}, {0.1, 1, 0.2}) % 2,
@@ -141,9 +142,9 @@ TEST(Winding, IsOneInsideZeroOutside) {
   }
 }
 
-// A box that lacks a triangle, turned either way, and in it a box with its faces outward: tissue in
-// tissue.
-TEST(Volume, WhatAnOpenSurfaceHoldsIsInIt) {
+// A box without one of its triangles, turned either way, and in it a box with its faces outward:
+// tissue in tissue.
+TEST(Volume, ABodyInsideAnOpenSurfaceIsInIt) {
   for (const bool inside_out : {false, true}) {
     Mesh mesh, outer = box_mesh({-0.03, -0.03, -0.03}, {0.03, 0.03, 0.03});
     outer.triangles.pop_back();
@@ -153,9 +154,9 @@ TEST(Volume, WhatAnOpenSurfaceHoldsIsInIt) {
   }
 }
 
-// Two boxes that lack a triangle each, one of them inside out: each tells its own sides. Just under
-// a missing triangle the winding number is one half, and is a sum over clusters, so that a voxel
-// may be lost.
+// Two boxes, each without one of its triangles, one of them inside out: the sides of each are found
+// for itself. Just under a missing triangle the winding number is one half, and is a sum over
+// clusters, so that a voxel may be lost.
 TEST(Volume, OpenBodiesThatEncloseSomethingAreTurnedEachByItself) {
   for (const bool small_one : {false, true}) {
     Mesh mesh, large = box_mesh({0, 0, 0}, {0.06, 0.06, 0.06});
@@ -168,8 +169,8 @@ TEST(Volume, OpenBodiesThatEncloseSomethingAreTurnedEachByItself) {
   }
 }
 
-// A face three times, first the wrong way and then twice the right one.
-TEST(Volume, OfFacesThatContradictEachOtherTheMostCount) {
+// A face occurs three times, first the wrong way and then twice the right way.
+TEST(Volume, OfFacesThatContradictEachOtherTheMajorityCounts) {
   Mesh mesh = block_mm(40, 40, 40);
   const offline::Triangle right = mesh.triangles.front();
   mesh.triangles.front() = {right[0], right[2], right[1]};
@@ -178,8 +179,8 @@ TEST(Volume, OfFacesThatContradictEachOtherTheMostCount) {
   EXPECT_NEAR(built_volume_ml(mesh, 5), 64, 64 * kEdgeRounding);
 }
 
-// Of a closed surface every ray from inside meets one face before it and one behind.
-TEST(Rays, GoOneWayAndMeetNothingWhereThereIsNothing) {
+// In a closed surface every line through an inner point meets one face in each direction.
+TEST(Rays, GoOneWayAndMeetNothingInEmptySpace) {
   const Mesh block = box_mesh({0, 0, 0}, {3, 2, 1});
   const offline::TriangleTree tree = offline::triangle_tree(block.points, block.triangles);
   for (int i = 0; i < 100; ++i) {
@@ -189,8 +190,8 @@ TEST(Rays, GoOneWayAndMeetNothingWhereThereIsNothing) {
   EXPECT_EQ(offline::crossings(offline::triangle_tree({}, {}), {0, 0, 0}, {0.1, 1, 0.2}), 0);
 }
 
-// Faces turned at random, for which no winding number makes sense: rays do not look at sides.
-TEST(Rays, VoteWhereFacesDisagree) {
+// With faces turned at random no winding number makes sense, but rays do not depend on the sides.
+TEST(Rays, DecideByVoteIfFacesDisagree) {
   Mesh block = block_mm(40, 40, 40);
   for (std::size_t i = 0; i < block.triangles.size(); i += 2 + i % 3) {
     std::swap(block.triangles[i][1], block.triangles[i][2]);
@@ -204,7 +205,7 @@ TEST(Rays, VoteWhereFacesDisagree) {
 }
 
 // Counting crossings from sample to sample gives the same as 64 winding numbers.
-TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
+TEST(SampleCell, CountingCrossingsAgreesWithWindingNumbers) {
   Mesh ball = offline::ball_phantom(60 * kMm, 5 * kMm);
   for (Vec& p : ball.points) p = p * 200;  // cells of 5 mm
   const offline::TriangleTree tree = offline::triangle_tree(ball.points, ball.triangles);
@@ -222,7 +223,7 @@ TEST(SampleCell, ShortWayAgreesWithTheLongOne) {
 
 // Faces that pass exactly through samples, so that a ray from sample to sample begins or ends on
 // one.
-TEST(SampleCell, ShortWayAgreesWhereSamplesLieOnFaces) {
+TEST(SampleCell, CountingCrossingsAgreesIfSamplesLieOnFaces) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> any(0, 63);
   for (int n = 0; n < 200; ++n) {
@@ -239,7 +240,7 @@ TEST(SampleCell, ShortWayAgreesWhereSamplesLieOnFaces) {
   }
 }
 
-TEST(Grid, RefusesWhatMemoryCannotHold) {
+TEST(Grid, RefusesMoreThanMemoryCanHold) {
   EXPECT_THROW((void)offline::make_grid({{0, 0, 0}, {1, 1, 1}}, 1e-4), offline::Refusal);
   EXPECT_THROW((void)offline::make_grid({{0, 0, 0}, {7, 1e-4, 1e-4}}, 1e-4), offline::Refusal);
   // A thousand triangles across 160 cells along each side are at most 4 096 million visits.
@@ -250,8 +251,8 @@ TEST(Grid, RefusesWhatMemoryCannotHold) {
   EXPECT_THROW((void)offline::voxelize(grid, solid, [](const char*, double) {}), offline::Refusal);
 }
 
-// The overlap test against its definition: a cube is pierced when a dense set of the triangle's
-// points has one inside it; and no point of the triangle lies in a cube that is not marked.
+// The overlap test against its definition: a cube is pierced if one of a dense set of the
+// triangle's points is inside it; and no point of the triangle lies in a cube that is not marked.
 TEST(Overlap, NoPointOfATriangleIsMissed) {
   const offline::Grid grid = offline::make_grid({{0, 0, 0}, {0.05, 0.05, 0.05}}, 5 * kMm);
   std::uint32_t seed = 7;

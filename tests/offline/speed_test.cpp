@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing the voxel edge by the cost of a tick, and what is said of the step's mass.
+// Choosing the voxel edge by the cost of a tick, and what is reported about the mass in the step.
 #include "report/speed.h"
 
 #include <gmock/gmock.h>
@@ -33,8 +33,9 @@ std::filesystem::path bench_of(const Scratch& scratch, const std::string& rows) 
 
 TEST(Machine, IsThePlaneThroughTheMeasuredTicks) {
   const Scratch scratch;
-  // 30 us, 20 ns a voxel and substep and 3 a pass: with 2 substeps of added mass 1000 voxels take
-  // 70 us, 20000 830 us; with a substep of 5 passes 65 us, with one of 7 850 us.
+  // 30 us, plus 20 ns for each voxel and substep and 3 ns for each pass: with 2 substeps of added
+  // mass 1000 voxels take 70 us and 20000 voxels 830 us; with one substep, 5 passes take 65 us and
+  // 7 passes 850 us.
   const auto csv = bench_of(scratch,
                             "tissue,a,1000,1,0,1,0.5\ntick_elastic_added,a,1000,2,0,70,35\n"
                             "tick_elastic_added,b,20000,2,0,830,20.75\n"
@@ -53,7 +54,7 @@ TEST(Machine, IsThePlaneThroughTheMeasuredTicks) {
   EXPECT_NEAR(most(1, Inertia::kTrueMass), 11463, 1);   // (500 - 30) / 0.041: of seven passes
 }
 
-TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
+TEST(Machine, RefusesFilesThatStyletBenchDidNotWrite) {
   const Scratch scratch;
   EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, "")); }),
               testing::HasSubstr("0 rows of tick_elastic"));
@@ -62,7 +63,7 @@ TEST(Machine, RefusesWhatStyletBenchDidNotWrite) {
               testing::HasSubstr("1 rows of tick_elastic"));
   EXPECT_THAT(refusal_of([&] { offline::read_machine(bench_of(scratch, good + good + good)); }),
               testing::HasSubstr("at least two organs, with added and with true mass"));
-  // The CSV as it was written before it told passes.
+  // The CSV as it was written before it had a column of passes.
   EXPECT_THAT(
       refusal_of([&] { offline::read_machine(bench_of(scratch, "tick_elastic,a,1,70,35\n")); }),
       testing::HasSubstr("box.csv:2: expected measure"));
@@ -89,8 +90,8 @@ TEST(Rate, HasAUnitAndALimit) {
   }
 }
 
-// Edges below 2.03 mm are too fine for the format, whatever they would cost.
-TEST(Fit, EdgesThatTheFormatDoesNotHoldAreNotTaken) {
+// Edges below 2.03 mm are too fine for the format, whatever their cost.
+TEST(Fit, EdgesThatTheFormatCannotStoreAreNotTaken) {
   offline::BuildOptions options;
   options.most_voxels = 1000;
   const auto swept = [](double edge_m) {
@@ -100,8 +101,8 @@ TEST(Fit, EdgesThatTheFormatDoesNotHoldAreNotTaken) {
   EXPECT_DOUBLE_EQ(offline::choose_edge({{0, 0, 0}, {0.1, 0.1, 0.1}}, options, swept), 2.05e-3);
 }
 
-// The finest multiple of 0.05 mm stays within the number of voxels, and the next finer one does
-// not.
+// It is the finest multiple of 0.05 mm within the number of voxels; the next finer one is beyond
+// it.
 TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
   const offline::Mesh ball = offline::ball_phantom(0.06, 0.003);
   for (const std::uint32_t most : {100U, 3000U, 20000U}) {
@@ -116,8 +117,8 @@ TEST(Fit, TakesTheFinestEdgeWithinTheVoxels) {
   }
 }
 
-// For full voxels the mass in the step is that of the bound for stability (filter.h): the fastest
-// wave, of squared frequency 8 k (2 + 1.5 lambda / G) / (rho h^3) with the springs of constraint
+// For full voxels the mass in the step is that of the stability bound (filter.h): the fastest wave,
+// of squared frequency 8 k (2 + 1.5 lambda / G) / (rho h^3) with the springs of constraint
 // particles, stays below 4 / (dt (dt + 2 tau)).
 TEST(Mass, FactorIsThatOfTheStabilityBound) {
   offline::BuildOptions options;
@@ -135,7 +136,7 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
                 1e-3)
         << dt;
     EXPECT_EQ(row["added_mass"]["passes"], 0);
-    // With true mass: what seven passes leave to add. They divide by (1 + w0) T_8'(w0) /
+    // With true mass only what seven passes leave is added. They divide by (1 + w0) T_8'(w0) /
     // (1 + T_8(w0)) = 55.27 at w0 = 1 + 1 / 64.
     EXPECT_NEAR(row["true_mass"]["mass_factor"]["kidney"].get<double>(),
                 std::max(1.0, bound / 55.27), 0.01)
@@ -145,11 +146,11 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
   const std::string text = offline::speed_text(facts);
   EXPECT_THAT(text, testing::ContainsRegex("true mass      1 substeps, 7 passes  kidney x2.07"));
   EXPECT_THAT(text, testing::ContainsRegex("added mass     1 substeps  kidney x[1-9]"));
-  EXPECT_EQ(offline::inertia_text(facts), "");  // nothing holds it
+  EXPECT_EQ(offline::inertia_text(facts), "");  // without resonance: nothing holds the body
 }
 
-// A block held from below. With two substeps of added mass a slow hand feels the mass, which is
-// said; with true mass only a fast hand does.
+// A block held from below. With two substeps of added mass a slow hand feels the mass, and this is
+// reported; with true mass only a fast hand does.
 TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
   offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
@@ -170,9 +171,9 @@ TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
               testing::HasSubstr("1 substep of true mass: first resonance "));
 }
 
-// The two timed blocks predict what the ticks of a third one, whose size lies between theirs, take
-// by this test's clock. A factor of two is left for what else the machine does, and for the needle.
-TEST(FitTimed, ForetellsTheTicksOfThisMachine) {
+// From two timed blocks the ticks of a third one of a size in between are predicted, and compared
+// with this test's clock. A factor of two is left for other work of the machine and for the needle.
+TEST(FitTimed, PredictsTheTicksOfThisMachine) {
   const offline::Machine here = offline::measure_machine([](const char*, double) {});
   offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
@@ -196,7 +197,7 @@ TEST(FitTimed, ForetellsTheTicksOfThisMachine) {
   EXPECT_LT(us[100], 2 * foretold_us);
 }
 
-// An organ is timed itself, too, beside the line through two blocks.
+// An organ itself is timed as well, besides the line through two blocks.
 TEST(Fit, TimesTheOrganOnThisMachine) {
   const offline::Machine here = {"here", 30, 0.02, 0.005, true};
   offline::BuildOptions options;
@@ -213,7 +214,7 @@ TEST(Fit, TimesTheOrganOnThisMachine) {
   const offline::Machine elsewhere = {"elsewhere", 30, 0.02, 0.005};
   const auto bytes = build_quietly({input_of(box_mesh({0, 0, 0}, {40, 40, 40}), 1e-3)}, {}).bytes;
   EXPECT_FALSE(offline::speed_facts(opened(bytes), {}, &elsewhere).contains("timed_us"));
-  // Between two blocks there is nothing to insert a needle into.
+  // In the gap between two blocks there is nothing to insert a needle into.
   const offline::Mesh apart =
       both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({60, 0, 0}, {80, 20, 20}));
   const auto two = build_quietly({input_of(apart, 1e-3)}, {}).bytes;

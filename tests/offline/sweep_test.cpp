@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --fit counts what a tick sweeps, on bodies drawn at random.
+// --fit counts the voxels that a tick sweeps, with random bodies.
 #include "voxels/sweep.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ Mesh comb(Draw& draw) {
   return mesh;
 }
 
-TEST(Fit, SweepsNoMoreThanItMay) {
+TEST(Fit, SweepsNoMoreThanAllowed) {
   Draw draw(3);
   const Mesh teeth = comb(draw);
   for (const int kind : {0, 1, 2}) {
@@ -52,10 +52,10 @@ TEST(Fit, SaysWhyItRefuses) {
   }
 }
 
-// The thread's own clock times an organ with holes, against the line through full blocks; it was
-// twice that line before the voxels swept were counted. What else the machine does only adds: so
-// the least of several times is taken, of the machine and of the organ in turn.
-TEST(FitTimed, KnowsWhatAnOrganWithHolesCosts) {
+// The thread's own clock times an organ with holes, against the line through full blocks. (Before
+// swept voxels were counted, the time was twice that of the line.) Other work of the machine only
+// adds time: so the shortest of several times is taken, of blocks and organ in turn.
+TEST(FitTimed, KnowsTheCostOfAnOrganWithHoles) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Draw draw(seed);
     offline::BuildOptions options;

@@ -21,7 +21,7 @@ struct Number {
   double least, most;
 };
 
-// What one of a key's unit is in SI, by the unit's name.
+// One of a key's units in SI, by the unit's name.
 double unit_of(std::string_view key) {
   if (key.ends_with("_kpa")) return 1e3;
   if (key.ends_with("_per_mm")) return 1e3;
@@ -42,7 +42,7 @@ std::vector<Number> numbers() {
   return all;
 }
 
-// The other kind of friction, with a value beside which any value of this kind is taken.
+// The other kind of friction, with a value with which any value of this kind is accepted.
 std::string beside(const std::string& key) {
   if (key == "coulomb_friction_n_per_mm") return "static_friction_n_per_mm = 10\n";
   if (key == "static_friction_n_per_mm") return "coulomb_friction_n_per_mm = 0\n";
@@ -62,7 +62,7 @@ std::string refusal_of(const std::filesystem::path& file) {
   return "";
 }
 
-TEST(Tissues, TakeWhatTheKernelTakes) {
+TEST(Tissues, AcceptWhatTheKernelAccepts) {
   const Scratch scratch;
   for (const Number& number : numbers()) {
     for (const double wanted :
@@ -93,9 +93,9 @@ TEST(Tissues, RefuseWhatTheKernelRefuses) {
   }
 }
 
-// If no preset has the tissue's name, every number must be there, except for those that most
-// tissues do not have.
-TEST(Tissues, OfTheirOwnNeedEveryNumber) {
+// If no preset has the tissue's name, every number must be there, except for two that most tissues
+// do not have.
+TEST(Tissues, WithoutAPresetNeedEveryNumber) {
   const Scratch scratch;
   const auto without = [&](const std::string& key) {
     std::string text = "[jelly]\n";

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Organ files have the same bytes whichever compiler built stylet-organ, with the same voxels.
+"""Organ files with the same voxels have the same bytes, whichever compiler built stylet-organ.
 
 usage: two_compilers.py STYLET_ORGAN SOURCE BUILD_FOLDER [OTHER_STYLET_ORGAN]
 

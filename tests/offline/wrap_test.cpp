@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Skins around surfaces with holes, around loose triangles, around thin bodies and sheets: volumes
-// in closed form. Sizes, places, directions and voxel edges are drawn.
+// in closed form. Sizes, places, directions and voxel edges are random.
 #include <gmock/gmock.h>
 
 #include <numbers>
@@ -20,9 +20,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr double kMm = 1e-3;
-constexpr double kMostOff = 0.05;  // what users are told of, stages.md
+constexpr double kMostOff = 0.05;  // reported from here on, stages.md
 
-// Rings of a ball's surface, faces outward, from the angle `from` off its pole on.
+// Rings of a ball's surface, faces outward, beginning at the angle `from` from its pole.
 Mesh ball_from(double radius, double from, unsigned rings, unsigned around) {
   const double pi = std::numbers::pi;
   Mesh mesh;
@@ -50,7 +50,7 @@ double cut_ball_m3(double radius, double from) {
          (4 * radius * radius * radius - height * height * (3 * radius - height)) / 3;
 }
 
-// Each triangle with corners of its own, a little away from the others, turned by a coin.
+// Each triangle has corners of its own, a little away from the others, and is turned at random.
 Mesh loose(const Mesh& mesh, double apart, Draw& draw) {
   Mesh out;
   for (const offline::Triangle& t : mesh.triangles) {
@@ -87,7 +87,7 @@ TEST(Wrap, HolesWiderThanAStepLeaveNoHollowShell) {
     const double exact = cut_ball_m3(radius, from), across_mm = 2e3 * radius * std::sin(from);
     const Wrapped skin = wrapped(mesh, edge);
     EXPECT_NEAR(skin.volume, exact, exact * kMostOff) << n;
-    // Two steps wide and more: CGAL's skin went in.
+    // Holes of two steps and more: CGAL's own skin goes in.
     if (across_mm < 2.5e3 * edge) continue;
     const Vec middle = frame[2] * (radius * std::cos(from) * 1e3);
     ASSERT_FALSE(skin.warnings.empty()) << n;
@@ -104,8 +104,8 @@ TEST(Wrap, HolesWiderThanAStepLeaveNoHollowShell) {
   }
 }
 
-// Nothing hangs together, so that no hole is known: the steps grow to half of its width. Of the
-// second ball the skin stays out at first, but goes in when it is made again closer to the ball.
+// Nothing is connected, so that no hole is known: the steps grow to half of its width. The skin of
+// the second ball stays out at first, but would go in when it is made again closer to the ball.
 TEST(Wrap, LooseTrianglesAroundAHoleLeaveNoHollowShell) {
   for (const unsigned seed : {12U, 101U}) {
     Draw draw(seed);
@@ -131,7 +131,7 @@ TEST(Wrap, LooseTrianglesAroundAHoleLeaveNoHollowShell) {
   }
 }
 
-TEST(Wrap, GapsNarrowerThanAStepAreBridgedWithoutAWord) {
+TEST(Wrap, GapsNarrowerThanAStepAreBridgedWithoutAWarning) {
   Draw draw(13);
   const double radius = 30 * kMm;
   const Mesh ball = turned(ball_from(radius, 0, 20, 36), random_frame(draw));
@@ -141,9 +141,9 @@ TEST(Wrap, GapsNarrowerThanAStepAreBridgedWithoutAWord) {
   EXPECT_THAT(skin.warnings, ElementsAre());
 }
 
-// With the usual offset a plate of 4 mm would be 25 % too thick. One of 1 mm is, by 10 %, since the
-// smaller one stands off by 0.05 mm on both sides; and that is told with the number.
-TEST(Wrap, ThinBodiesKeepTheirVolumeOrTheUserIsTold) {
+// With the usual offset a plate of 4 mm would be 25 % too thick. A plate of 1 mm is 10 % too thick
+// even with the smaller offset of 0.05 mm on both sides, and this is reported with the number.
+TEST(Wrap, ThinBodiesKeepTheirVolumeOrAreReported) {
   Draw draw(14);
   for (const double thickness : {4.0, 1.0, 0.3}) {
     const double a = draw.between(60, 90), b = draw.between(50, 70);
@@ -159,8 +159,8 @@ TEST(Wrap, ThinBodiesKeepTheirVolumeOrTheUserIsTold) {
   }
 }
 
-// By Steiner's formula: volume, surface times the offset, and less than a hundredth of the rest. A
-// tenth of a step is less than 3 % of this block, so that the skin is not made again.
+// By Steiner's formula: volume, plus surface times the offset; the other terms are less than a
+// hundredth. A tenth of a step is less than 3 % of this block, so the skin is not made again.
 TEST(Wrap, ALargeBodyHasTheUsualOffset) {
   Draw draw(16);
   const double side = draw.between(90, 110) * kMm, offset = 0.4 * kMm;
@@ -170,8 +170,8 @@ TEST(Wrap, ALargeBodyHasTheUsualOffset) {
   EXPECT_THAT(skin.warnings, ElementsAre());
 }
 
-// What it encloses itself is known exactly, though almost no point of its box lies in it.
-TEST(Wrap, AVeryThinBodyIsTold) {
+// The body's own volume is known exactly, although almost no point of its box lies in it.
+TEST(Wrap, AVeryThinBodyIsReported) {
   Draw draw(17);
   for (const double thickness : {0.1, 0.05, 0.02}) {
     const double a = draw.between(60, 90), b = draw.between(50, 70);
@@ -190,8 +190,8 @@ TEST(Wrap, AVeryThinBodyIsTold) {
   }
 }
 
-// By how much the skin differs is told to three digits.
-TEST(Wrap, TheDifferenceIsToldAsItIs) {
+// The difference of the skin is reported to three digits.
+TEST(Wrap, TheDifferenceIsReportedExactly) {
   Draw draw(19);
   for (const double thickness : {0.6, 0.2, 0.05}) {
     const double a = draw.between(60, 90), b = draw.between(50, 70);
@@ -213,7 +213,7 @@ TEST(Wrap, TheDifferenceIsToldAsItIs) {
 }
 
 // In a mesh's own volume what two boxes share counts twice.
-TEST(Wrap, BodiesThatOverlapHoldTheirUnion) {
+TEST(Wrap, BodiesThatOverlapEncloseTheirUnion) {
   Draw draw(18);
   const double a = draw.between(50, 60) * kMm, from = a / 4;
   const Mesh boxes = turned(both(box_mesh({0, 0, 0}, {a, a, a}),
@@ -225,7 +225,7 @@ TEST(Wrap, BodiesThatOverlapHoldTheirUnion) {
   EXPECT_THAT(skin.warnings, ElementsAre());
 }
 
-TEST(Wrap, ASheetIsASlabAndTold) {
+TEST(Wrap, ASheetBecomesASlabAndIsReported) {
   Draw draw(15);
   const Mesh sheet =
       turned({{{0, 0, 0}, {0.03, 0, 0}, {0, 0.03, 0}}, {{0, 1, 2}}}, random_frame(draw));
