@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What toolchain/book.py makes of a page, the filter of headers, and the check of links, each with
+"""What toolchain/book.py makes of a page, its filter of headers and its check of links; each with
 samples that it must refuse.
 
 usage: builder_test.py    with STYLET_SOURCE in the environment
@@ -67,7 +67,7 @@ class Pages(unittest.TestCase):
 
 
 class Headers(unittest.TestCase):
-    def test_comments_are_said_of_what_they_stand_at(self):
+    def test_a_comment_belongs_to_the_line_it_stands_at(self):
         made = book_headers.filtered(
             "/* SPDX-License-Identifier: Apache-2.0 */\n/* The file. */\n/* ==== Part ==== */\n"
             "// Above,\n// two lines.\nint f(void);\nint a; /* of a < b */\n"
@@ -80,7 +80,7 @@ class Headers(unittest.TestCase):
 
 
 class Names(unittest.TestCase):
-    """Names that the book's own pages say in passing are there."""
+    """Names that the book's own pages mention exist."""
 
     def spans(self, pattern):
         for path in sorted((SOURCE / "toolchain/book").glob("*.md")):
@@ -128,12 +128,12 @@ class Links(unittest.TestCase):
                 (site / page.replace("_", ".")).write_text(text)
             return list(book_site.faults(site))
 
-    def test_good_ones_are_accepted(self):
+    def test_links_that_lead_somewhere_are_accepted(self):
         good = "<h1 id=x></h1><a href='b.html#y'></a><a href='#x'></a><a href='https://w.org/'></a>"
         other = "<h2 id=y></h2><img src='data:image/png;base64,x'>"
         self.assertEqual(self.faults(a_html=good, b_html=other), [])
 
-    def test_bad_ones_are_named(self):
+    def test_links_that_lead_nowhere_or_to_the_network_are_refused(self):
         for bad, words in (("<a href='c.html'></a>", "c.html is not there"),
                            ("<a href='#z'></a>", "no such heading"),
                            ("<img src='p.png'>", "p.png is not there"),

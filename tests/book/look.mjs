@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A reader of the book, who opened it from a folder and has no network: every page at two widths,
-// formulas, and the search. Tells what was seen as JSON; with a folder as fourth argument it leaves
-// pictures of the pages there.
+// A reader of the book who opened it from a folder and has no network: looks at every page at two
+// widths, at formulas, and at the search. Prints what was seen as JSON; with a folder as fourth
+// argument it leaves pictures of the pages there.
 //
 //   node look.mjs SITE PLAYWRIGHT CHROMIUM [PICTURES] [PAGE...]
 import { readdirSync } from "node:fs";

@@ -3,7 +3,7 @@
 """The messages that the book's troubleshooting.md quotes are those of the sources, word by word.
 
 A quotation is a line `> `message`` with … for what differs from time to time; in the sources that
-is {...} of a format, or where one text ends and another is put behind it.
+is a format's {...}, or a place where another text is appended.
 
 usage: messages_test.py    with STYLET_SOURCE in the environment
 """
@@ -50,7 +50,7 @@ class Messages(unittest.TestCase):
         self.assertGreater(len(quoted), LEAST_SYMPTOMS)
         self.assertEqual([each for each in quoted if not said(each, all_messages)], [])
 
-    def test_other_words_are_noticed(self):
+    def test_a_message_with_other_words_is_refused(self):
         all_messages = list(messages())
         for quotation in quotations(PAGE.read_text()):
             words = quotation.split(" ")

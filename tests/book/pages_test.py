@@ -11,9 +11,8 @@ usage: pages_test.py [PAGE...]    with STYLET_BUILD and STYLET_SOURCE in the env
     title="NAME"    is written to that file, for blocks further down
     diagram         a drawing
 
-Before a block, `<!-- shown: REASON -->` says why it cannot run here, `<!-- exit N: REASON -->` what
-else than 0 its last command ends with.
-"""
+Before a block, `<!-- shown: REASON -->` says why it cannot run here, `<!-- exit N: REASON -->` the
+exit code of its last command if it is not 0."""
 import os
 import pathlib
 import re
@@ -45,7 +44,7 @@ def unclaimed(text):
 
 
 class Reader:
-    """One who goes through a page from its first block to its last."""
+    """A reader who goes through a page from its first block to its last."""
 
     def __init__(self, tree, folder):
         self.tree, self.folder, self.said = tree, folder, ""

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Builds the book and follows every link of it; or reads its pages in Chromium, from a folder and
-without a network. Skips (77) where what it needs is not there.
+without a network. Skips (77) if what it needs is not installed.
 
 usage: site_test.py build|read SITE [PAGE...]
 

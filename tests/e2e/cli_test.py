@@ -203,7 +203,7 @@ class Recording(Folder):
         self.assertIn("/dev/fd/1: is a device", done.stderr)
 
     def test_recordings_of_runs_at_once_are_all_kept(self):
-        """Also a file that somebody puts there while a run goes on."""
+        """So is a file that somebody puts there while a run goes on."""
         wanted = self.top / "busy.h5"
         lengths = [0.6, 0.9, 1.2]
         runs = [subprocess.Popen([BIN / "stylet", "run", SCENE, "--organ", self.organ,
@@ -230,7 +230,8 @@ class Recording(Folder):
         self.assertEqual(len(list(self.top.glob("busy*"))), 4)
 
     def test_full_disk_leaves_no_picture(self):
-        """A limit on sizes, under which gnuplot draws half and is content; and a full /dev/full."""
+        """Under a limit on file sizes gnuplot draws half of the picture and reports no error;
+        /dev/full is always full."""
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
@@ -269,7 +270,8 @@ class Recording(Folder):
                 most += 2
                 done = within(most, *words)
                 where = (most, words[0], done.stderr)
-                # Ends by itself: no signal, no exception; and does not blame a sound file.
+                # The program ends by itself, without a signal or exception, and does not blame a
+                # sound file.
                 self.assertIn(done.returncode, (0, 1, 3), where)
                 self.assertNotRegex(done.stderr, "bad_alloc|terminate|damaged", where)
                 if done.returncode == 1:
@@ -326,8 +328,8 @@ class Patient(Folder):
     """From a patient's segmentation to a needle in the liver, from the front."""
 
     MAP = DATA / "labelmaps/ts_example_seg_fast_force_split.nii.gz"
-    # The column of the map whose first tissue from the front is liver, and most of it: its voxel
-    # 69, 81, 107 is at 29 mm right, 254.3 mm front, 415.3 mm up in the header's frame.
+    # The column of the map that meets liver as the first tissue from the front, and most of it: its
+    # voxel 69, 81, 107 is at 29 mm right, 254.3 mm front, 415.3 mm up in the header's frame.
     SCENE = """
 [organ]
 path = "patient.organ"
@@ -446,7 +448,7 @@ start_mm = 2
 
 
 class Doctor(Folder):
-    """Of this machine, whatever it is: every check has a say, histograms hold every cycle."""
+    """On whatever machine this is: every check has a result, and histograms hold every cycle."""
 
     def test_looks_at_this_machine_and_measures_it(self):
         call("stylet-organ", "phantom", "block", "--size-mm", "40,40,40", "--voxel-mm", "10", "-o",
@@ -478,7 +480,7 @@ class Doctor(Folder):
 
 
 class Help(unittest.TestCase):
-    """A terminal user who knows nothing yet finds every command, with an example."""
+    """A user of the terminal who knows nothing yet finds every command, with an example."""
 
     COMMANDS = {"stylet": ["run", "replay", "plot", "devices", "station", "doctor", "bench"],
                 "stylet-organ": ["build", "phantom", "hull", "labels", "info", "check"]}
@@ -610,7 +612,7 @@ uri = "hd:Right"
         self.assertEqual(done.returncode, 1, done.stdout)
         self.assertIn("loop.period_us: 4000: expected at most 2000 with hd:", done.stderr)
 
-    def test_driver_that_hangs_does_not_hold_the_end(self):
+    def test_driver_that_hangs_does_not_hold_up_the_end(self):
         organ = self.make_phantom()
         for place in ("open", "read", "write", "close"):
             with self.subTest(place):
@@ -682,7 +684,7 @@ uri = "hd:Right"
             if "waiting for" in line:
                 threading.Timer(2, silent.set).start()
             if "no force until it is acknowledged: Enter" in line:
-                os.write(keys, b"\n")  # of no use while it is silent
+                os.write(keys, b"\n")  # too early: the device is silent
                 threading.Timer(1, silent.clear).start()
             if "not acknowledged: it gives no usable sample yet" in line:
                 threading.Timer(0.5, os.write, (keys, b"\n")).start()
@@ -717,7 +719,7 @@ class Bench(unittest.TestCase):
         return done.stderr
 
     def test_two_threads_are_compared_with_one_in_the_same_seconds(self):
-        """Where others used the processors meanwhile, it says that instead."""
+        """If others used the processors meanwhile, it says that instead."""
         table = self.two_threads(os.sched_getaffinity(0))
         refused = re.findall(r"(?m)^threads/liver_1k/\w+: no figure: .* ([\d.]+) x as", table)
         for times in refused:  # in two digits: 1.896 is refused, and written 1.90
@@ -735,7 +737,7 @@ class Bench(unittest.TestCase):
 
 class Recipe(Folder):
     def test_a_scene_of_as_many_targets_as_a_recipe_may_have_runs(self):
-        """With the longest names; the first one lies outside the organ."""
+        """The targets have the longest names, and the first one lies outside the organ."""
         labels = self.top / "map.nrrd"
         labels.write_bytes(
             b"NRRD0004\ntype: uchar\ndimension: 3\nspace: LPS\nsizes: 4 4 4\nspace directions: "
@@ -764,7 +766,7 @@ class Refusals(Folder):
                             self.top / "nowhere.organ")
 
     def test_scene_whose_organ_is_not_built_says_how(self):
-        """What it says is a command that a shell takes, after which the scene runs."""
+        """Its message is a command that a shell accepts, and after it the scene runs."""
         scenes = self.top / "scenes of mine"
         scenes.mkdir()
         for name in ("fig10-steering.toml", "steering-gel.toml"):
@@ -777,7 +779,8 @@ class Refusals(Folder):
         call("stylet", *words)
 
     def input_readers(self):
-        """By ending of the file, each command with each of its options that read one, for {}."""
+        """By the file's ending: each command, with each of its options, that reads such a file in
+        place of {}."""
         organ, picture = self.top / "never.organ", self.top / "never.svg"
         label_map, mesh, recording = self.top / "a.nrrd", self.top / "a.off", self.top / "a.h5"
         label_map.write_text("NRRD0004\n")
@@ -808,12 +811,13 @@ class Refusals(Folder):
             "nrrd": [["stylet-organ", "labels", "{}"]]}
 
     def test_every_kind_of_input_says_why_it_cannot_be_read(self):
-        """Missing, a directory, a pipe, unreadable and empty read differently, whatever it is."""
+        """A missing file, a directory, a pipe, an unreadable and an empty file each have a message
+        of their own, for every kind of input."""
         folder = self.top / "inputs"
         folder.mkdir()
         whys = {"missing": "no such file", "folder": "is a directory", "empty": "is empty",
-                "pipe": " pipe"}  # that nobody writes to
-        if os.geteuid() != 0:  # whom no permission stops
+                "pipe": " pipe"}  # without a writer
+        if os.geteuid() != 0:  # root may read everything
             whys["locked"] = "Permission denied"
         cases = []
         for ending, commands in self.input_readers().items():
@@ -824,7 +828,7 @@ class Refusals(Folder):
             (folder / f"locked.{ending}").chmod(0)
             cases += [(folder / f"{name}.{ending}", why, words) for name, why in whys.items()
                       for words in commands
-                      # A folder may be of DICOM slices: then that is what it lacks.
+                      # A folder could hold DICOM slices: then the message says that it has none.
                       if name != "folder" or ending not in ("nrrd", "stl")]
         random.Random(6).shuffle(cases)
         for path, why, (program, *words) in cases:
@@ -835,7 +839,8 @@ class Refusals(Folder):
             self.assertFalse((self.top / name).exists())
 
     def test_a_scene_may_come_through_a_pipe(self):
-        """Whole, by a writer that is slow or late; none, an empty and an endless one are told."""
+        """It is read whole from a writer that is slow or late; a pipe without a writer, an empty
+        and an endless one are refused."""
         organ, chosen = self.make_phantom(), random.Random(8)
         text = SCENE.read_text()
         words = ["--fast", "--duration-s", 0.01, "--organ", organ]
@@ -909,7 +914,7 @@ class Refusals(Folder):
         done = call("stylet", "run", SCENE, "--threads", "17", expect=1)
         self.assertIn("--threads: Value 17 not in range 1 to 16", done.stderr + done.stdout)
 
-    def test_recording_that_is_none(self):
+    def test_a_file_that_is_no_recording(self):
         fake = self.top / "fake.h5"
         fake.write_text("no recording")
         self.expect_refusal([fake.name], "stylet", "replay", fake)
@@ -917,7 +922,7 @@ class Refusals(Folder):
         self.expect_refusal([fake.name], "stylet", "plot", fake, "-o", picture)
         self.assertFalse(picture.exists())
 
-    def test_mesh_that_is_none(self):
+    def test_a_file_that_is_no_mesh(self):
         mesh = self.top / "empty.stl"
         mesh.write_text("")
         organ = self.top / "none.organ"

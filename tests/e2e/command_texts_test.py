@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Manual pages and completions say all that --help says, and shells and groff take them.
+"""Manual pages and completions say all that --help says, and shells and groff accept them.
 
 usage: command_texts_test.py   with STYLET_BIN in the environment
 """
@@ -28,7 +28,7 @@ def call(program, *words, expect=0, **more):
 
 
 def help_of(program, words=()):
-    """Options with what may be their values, and commands, as --help prints them."""
+    """Options with their possible values, and commands, as --help prints them."""
     text = call(program, *words, "--help")
     options = re.findall(r"(?m)^  ((?:-\w,)?--[\w-]+)(?: ?(?:\[=\w+\]|([A-Z][\w:,{}+-]*)))?", text)
     named = [(name.split(",")[-1], value) for name, value in options]
@@ -94,7 +94,7 @@ class Completion(unittest.TestCase):
             (cls.folder / name).touch()
 
     def complete(self, program, lines):
-        """What a bash of its own offers at the end of each line, a list of words."""
+        """What a fresh bash offers at the end of each line: a list of words."""
         script = f"source {self.top}/{program}.bash\n" + """
         while IFS= read -r line; do
           read -r -a COMP_WORDS <<<"$line"
@@ -160,9 +160,9 @@ class Completion(unittest.TestCase):
 
 
 class OptionalValues(unittest.TestCase):
-    """A value that may be missing comes after '='; whoever writes a blank is told so."""
+    """An optional value comes after '='; a user who writes a blank instead is told so."""
 
-    def test_every_option_with_such_a_value_gets_the_hint(self):
+    def test_every_option_with_an_optional_value_gives_the_hint(self):
         chosen, seen = random.Random(7), 0
         for program in PROGRAMS:
             for words, options, _ in commands_of(program):
@@ -179,14 +179,15 @@ class OptionalValues(unittest.TestCase):
                                       done.stdout + done.stderr)
         self.assertGreaterEqual(seen, 2)
 
-    def test_a_scene_may_follow_it(self):
+    def test_a_scene_may_follow_an_option_without_its_value(self):
         done = subprocess.run([BIN / "stylet", "run", "--console", "nowhere.toml"],
                               capture_output=True, text=True, timeout=60)
         self.assertIn("nowhere.toml: no such file", done.stderr)
 
 
 class EmptyValues(unittest.TestCase):
-    """What a script's unset variable leaves is refused for every option, and writes nothing."""
+    """An empty value, as an unset variable of a script leaves it, is refused for every option, and
+    nothing is written."""
 
     def test_every_option_that_takes_a_value_refuses_an_empty_one(self):
         seen = set()
@@ -212,10 +213,10 @@ class EmptyValues(unittest.TestCase):
 
 
 class Json(unittest.TestCase):
-    """What prints a result prints it as JSON, too."""
+    """A command that prints a result can print it as JSON, too."""
 
     def test_every_command_with_a_result_has_it(self):
-        without = {"console", "plot", "station", "bench"}  # no result, or benchmark's own format
+        without = {"console", "plot", "station", "bench"}  # no result, or a format of its own
         for program in PROGRAMS:
             for words, options, inner in commands_of(program):
                 if words and words[0] not in without:

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The force curve of an insertion, hold and retraction, held against what is known of real ones.
 
-Six phases: rise, puncture, insertion, hold, retraction, exit. Bands: force levels of 18G needles in
-liver in the literature (Okamura, Simone and O'Leary 2004 and others), for 60 mm at 10 mm/s and 3 s
-of hold. `force_n` is along the needle, positive where the hand is pushed back.
+Six phases: rise, puncture, insertion, hold, retraction, exit. Bands: forces of 18G needles in liver
+from the literature (Okamura, Simone and O'Leary 2004 and others), for 60 mm at 10 mm/s and 3 s of
+hold. `force_n` is along the needle, positive where the hand is pushed back.
 """
 import dataclasses
 
 import numpy as np
 
 CONTACT, RELEASE, PUNCTURE, REENTRY, EXIT, LAYER = range(6)  # kinds of events
-SETTLE_S = 0.3  # after a change of motion, before a straight line is fitted
+SETTLE_S = 0.3  # left out after a change of motion, where a line is fitted
 
 
 @dataclasses.dataclass
@@ -161,23 +161,24 @@ def check_exit(curve, faults):
 
 
 def check_physical(curve):
-    """All six phases, as faults in words; empty when everything is within its band."""
+    """Faults of all six phases, in words; empty if everything is within its band."""
     faults = Faults()
     check_rise(curve, faults)
     check_drop(curve, faults)
     check_insertion(curve, faults, ripple_share=0.02)
     check_hold(curve, faults)
-    # Liver's 0.9 N of friction and cutting (60 mm of 18G), six tenths of it after the hold, over
-    # what holds the shaft along (2 pi G l / ln(50 mm / a), 690 N/m) and the tip (a sphere's
-    # 24 pi G a (1 - nu) / (5 - 6 nu), 92 N/m): 0.7 mm, and by half more as the organ gives way as a
-    # whole.
+    # Liver's 0.9 N of friction and cutting (60 mm of 18G), six tenths of it after the hold, divided
+    # by the axial stiffness at the shaft (2 pi G l / ln(50 mm / a), 690 N/m) plus that at the tip
+    # (a sphere's 24 pi G a (1 - nu) / (5 - 6 nu), 92 N/m): 0.7 mm, and half more because the organ
+    # gives way as a whole.
     check_retraction(curve, faults, presliding_m=1.05e-3)
     check_exit(curve, faults)
     return faults
 
 
 def check_paper(curve):
-    """What the paper's own rules give: forces go in whole units, so levels are not compared."""
+    """What the paper's own rules give: forces change in whole units, so their levels are not
+    compared."""
     faults = Faults()
     peak = curve.force_n[curve.puncture - 1]
     after = curve.force_n[curve.puncture:curve.puncture + 50]
@@ -188,7 +189,8 @@ def check_paper(curve):
     faults.expect(slope > 0, f"insertion slope {slope:.3g} N/m, expected growth with depth")
     part = curve.force_n[curve.hold:curve.retraction]
     faults.expect(part[-1] > 0.01, f"the hold ends at {part[-1]:.4f} N, no plateau")
-    # A slip goes by a whole unit, up to half a newton, and its waves die out: nothing swings on.
+    # A slip is of a whole unit, up to half a newton, and its waves die out: nothing goes on
+    # swinging.
     late = part[500:]
     swing = np.max(late - np.minimum.accumulate(late))
     faults.within("swing in the hold, from 0.5 s on", swing, 0, 0.002, "N")

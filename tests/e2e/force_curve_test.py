@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The judge of force curves, judged: an ideal curve passes, each kind of wrong one is named."""
+"""Tests the judge of force curves: an ideal curve passes, and each kind of wrong one is named."""
 import dataclasses
 import unittest
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Halves the voxel, the needle unit or the step of a scene: what does that do to its forces?
+"""How the forces of a scene change when the voxel, the needle unit or the step is halved.
 
     tests/e2e/halving.py [--table FILE] [--small] [--swings] [SCENE...]
 
@@ -10,11 +10,11 @@ length of the force, punctures included, which move by some milliseconds. Unit a
 forces by 2 %, the voxel by 10 %. --table writes what was found as a table; --small leaves out the
 halved voxels, which take eight times as long.
 
-Then the hand of some scenes goes in as deep as theirs, rests, and swings to and fro by 1 mm, slowly
-and faster, across the needle, with mass added and with true mass. Compared is the force along the
-swing and at its frequency, over the way, as a complex number: in the second half of each swing, a
-slow drift taken off. --swings plays only that. Nothing is refused there: what a longer step does to
-a moving hand is what PHYSICS 3.3 says of added mass. Programs from STYLET_BIN or
+Then, in some scenes, the hand goes in as deep as in the scene, rests, and swings to and fro across
+the needle by 1 mm, slowly and faster, once with added mass and once with true mass. The force along
+the swing at its frequency, divided by the way, is compared as a complex number, in the second half
+of each swing and without slow drift. --swings runs only this part. It has no bars: PHYSICS 3.3 says
+what a longer step with added mass does to a moving hand. Programs from STYLET_BIN or
 build/release/bin. Needs python3-h5py.
 """
 import argparse
@@ -33,8 +33,8 @@ import play  # noqa: E402
 
 WINDOW_TICKS = 50
 BARS = {"voxel": 0.10, "unit": 0.02, "step": 0.02}
-PAPER_MODE = {"fig03-puncture"}  # its rules go by voxel and unit
-# Scenes whose hand swings, and how: Hz -> for how long, two periods and a second at least.
+PAPER_MODE = {"fig03-puncture"}  # its rules depend on voxel and unit
+# Scenes whose hand swings, and how: Hz -> for how long, at least two periods and a second.
 SWUNG = ("fig06-clamping", "fig07-liver-flexible", "fig08-liver-rigid", "liver-biopsy",
          "lumbar-puncture")
 INERTIAS = ("added_mass", "true_mass")
@@ -86,7 +86,7 @@ def halved(text, variant):
 
 
 def swung(text, inertia):
-    """The scene with a hand that goes in, rests and swings, and this inertia of the tissue."""
+    """The scene with this inertia of the tissue, and with a hand that goes in, rests and swings."""
     deep = max(float(each) for each in re.findall(r"^travel_mm = (-?[\d.]+)$", text, re.M))
     text = re.sub(r"^\[\[hand\.waypoint\]\]\n(?:\w.*\n?)*", "", text, flags=re.M)
     text = re.sub(r"^(mass_g|(?:stiffness|damping)_n\w+) = .*\n", "", text, flags=re.M)
@@ -104,7 +104,8 @@ def swung(text, inertia):
 
 
 def swinging(recording):
-    """Hz -> force along the swing over the way, N/m: complex, in the second half of that swing."""
+    """Hz -> force along the swing divided by the way, N/m, complex, from the second half of that
+    swing."""
     with h5py.File(recording) as file:
         force = np.asarray(file["output/force_n"], float)
         place = np.asarray(file["input/position_m"], float)
@@ -154,7 +155,7 @@ def forces(name, variant, folder):
 
 
 def measure(name, variants, folder):
-    """Largest force, and variant -> share by which the forces change."""
+    """Largest force, and variant -> fraction by which the forces change."""
     base = forces(name, "base", folder)
     size = np.linalg.norm(base, axis=1)
     found = {}
@@ -167,7 +168,7 @@ def measure(name, variants, folder):
 
 
 def measure_swings(name, inertia, variants, folder):
-    """Hz -> variant -> share by which the force along the swing changes."""
+    """Hz -> variant -> fraction by which the force along the swing changes."""
     text = swung((play.HERE / f"{name}.toml").read_text(), inertia)
     base = swinging(played(name, text, "base", folder))
     found = {hz: {} for hz in SWINGS_S}
@@ -195,7 +196,7 @@ def swing_rows(names, variants, folder):
 
 
 def measure_all(names, variants, folder):
-    """The first table's rows, and what changes by more than it may."""
+    """The first table's rows, and the changes that are larger than allowed."""
     rows, failed = [], []
     for name in names:
         try:

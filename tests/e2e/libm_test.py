@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Organ files, scenes and recordings have the same bits whatever mathematical library is there.
+"""Organ files, scenes and recordings have the same bits with any mathematical library.
 
 Runs the programs a second time with libm's seventh digit changed (shaken_libm.cpp, preloaded).
 
@@ -16,7 +16,8 @@ import unittest
 BIN = pathlib.Path(os.environ["STYLET_BIN"])
 SHAKEN = {**os.environ, "LD_PRELOAD": os.environ["STYLET_SHAKEN"]}
 
-# All that takes an angle, a power or a curve: turned obstacles, EI, bevel and bend, breath, spin.
+# Everything that is computed from an angle, a power or a curve: turned obstacles, EI, bevel and
+# bend, breath, spin.
 SCENE = """
 [breathing]
 amplitude_mm = [0, 3, -4]

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every scene of hal/scenes with a real device's dynamics: does it buzz, does it make energy?
+"""Whether a scene of hal/scenes buzzes or makes energy with a real device's dynamics.
 
     tests/e2e/limit_cycles.py [--write] [--model MODEL]... [SCENE...]
 
@@ -56,7 +56,7 @@ def with_model(text, model):
 
 
 def ripple(force_n, period_s):
-    """Amplitude above ABOVE_HZ of a stretch of force, and the mean size of the force in it."""
+    """Amplitude above ABOVE_HZ in a stretch of force, and the mean magnitude of the force in it."""
     count = len(force_n)
     x = np.linspace(-1, 1, count)
     trend = np.polynomial.polynomial.polyfit(x, force_n, 3)
@@ -69,7 +69,7 @@ def ripple(force_n, period_s):
 
 
 def worst_ripple(force_n, steps, period_s, lasting):
-    """(ripple, bar, tick, share seen): of the stretch that is worst by its own bar."""
+    """(ripple, bar, tick, fraction seen) of the stretch that is worst by its own bar."""
     ticks, wide = len(force_n), round(WINDOW_S / period_s)
     disturbed = np.zeros(ticks, bool)
     for tick in steps:
@@ -94,7 +94,7 @@ def worst_ripple(force_n, steps, period_s, lasting):
 
 
 def corners_of(scene, number, columns, period_s):
-    """Ticks in which the pace of the hand changes."""
+    """Ticks in which the speed of the hand changes."""
     whole = tomllib.loads(scene)
     hand = whole["needles"][number] if "needles" in whole else whole
     if hand.get("device", {}).get("kind") == "steered":
@@ -152,7 +152,7 @@ def measure(name, model, folder):
 
 
 def line_of(name, measured):
-    """A scene's line: of its needles the one that comes nearest to its bar."""
+    """A scene's line, for the needle that comes nearest to its bar."""
     cells = []
     for rows in measured:
         worst = max(rows, key=lambda row: row["ripple_n"] / row["bar_n"])
@@ -166,7 +166,7 @@ def line_of(name, measured):
 
 
 def write(name, line):
-    """Puts a scene's line in the place of the one that the page has."""
+    """Replaces a scene's line in the page."""
     text, count = re.subn(rf"^\| {re.escape(name)} \|.*$", lambda _: line, PAGE.read_text(),
                           flags=re.MULTILINE)
     if count != 1:

@@ -23,12 +23,12 @@ LEAST_SEEN = 0.6
 
 
 class Measure(unittest.TestCase):
-    """It finds what must not be, and nothing else."""
+    """The measure finds a buzz, and nothing else."""
 
     PERIOD_S = 1e-3
 
     def worst(self, force, steps=(), lasting=False):
-        """In the second of three axes, on top of half a newton in the first."""
+        """A wave along the second of three axes, on top of half a newton along the first."""
         whole = np.zeros((len(force), 3))
         whole[:, 0], whole[:, 1] = 0.3, force
         return limit_cycles.worst_ripple(whole, steps, self.PERIOD_S, lasting)
@@ -45,12 +45,12 @@ class Measure(unittest.TestCase):
             self.assertEqual((bar, seen), (limit_cycles.BAR_N, 1))
             self.assertTrue(900 <= tick <= 1500)
 
-    def test_a_hand_is_no_buzz(self):
+    def test_a_moving_hand_is_no_buzz(self):
         for hz in (0.5, 2, 4):
             amplitude, *_ = self.worst(np.sin(2 * np.pi * hz * self.time_s()))
             self.assertLess(amplitude, 0.02, f"{hz} Hz")
 
-    def test_a_step_is_felt_as_such_and_its_echo_is_not(self):
+    def test_a_known_step_is_left_out_and_its_ringing_is_not(self):
         time_s = self.time_s()
         step = np.where(time_s < 1, 1.0, 0.2)
         self.assertGreater(self.worst(step)[0], 0.1)
@@ -58,14 +58,14 @@ class Measure(unittest.TestCase):
         ringing = step + (time_s > 1) * 0.05 * np.sin(2 * np.pi * 40 * time_s)
         self.assertGreater(self.worst(ringing, steps=[1001])[0], 0.045)
 
-    def test_a_single_step_does_not_last_and_a_buzz_does(self):
+    def test_a_buzz_lasts_and_a_single_step_does_not(self):
         time_s = self.time_s()
         step = np.where(time_s < 1.5, 1.0, 0.2)
         self.assertLess(self.worst(step, lasting=True)[0], 0.02)
         buzz = 0.03 * np.sin(2 * np.pi * 50 * time_s)
         self.assertGreater(self.worst(step + buzz, lasting=True)[0], 0.027)
 
-    def test_the_bar_is_a_share_of_a_large_force(self):
+    def test_the_bar_of_a_large_force_is_a_fraction_of_it(self):
         whole = np.tile([3.0, 4.0, 0.0], (1000, 1))
         whole[:, 1] += 0.1 * np.sin(2 * np.pi * 50 * self.time_s(1))
         self.assertAlmostEqual(limit_cycles.worst_ripple(whole, [], 1e-3, False)[1], 0.25, 3)
@@ -103,7 +103,7 @@ class Scenes(unittest.TestCase):
             self.skipTest("the data of these scenes are missing")
 
     def check_page(self, name, of_scene):
-        """A run on a virtual clock has the same bits everywhere, and so the same line."""
+        """A run on a virtual clock has the same bits everywhere, and therefore the same line."""
         if len(of_scene) == len(limit_cycles.MODELS):
             with self.subTest(scene=name):
                 self.assertIn(limit_cycles.line_of(name, of_scene),

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every figure takes the colours of hal/palette.csv: a name has one colour in all of them, and no
-other line has that; and people with any colour vision tell them apart.
+"""Every figure takes the colours of hal/palette.csv: a name has one colour in all of them, no other
+line has that colour, and people with any colour vision can tell the colours apart.
 
 Sources: simulated colour vision, Machado, Oliveira and Fernandes 2009, severity 1; difference of
 colours, CIE 1976; contrast ratio, WCAG 2.2.
@@ -36,8 +36,8 @@ VISION = {
                         [0.004733, 0.691367, 0.303900]]),
 }
 TO_XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
-AT_A_GLANCE = 10  # CIE 1976, as the page's test asks for
-ON_WHITE = 3  # of signs that must be seen
+AT_A_GLANCE = 10  # CIE 1976, as in the page's test
+ON_WHITE = 3  # contrast of signs that must be seen
 
 
 def text(path):
@@ -87,7 +87,7 @@ class Palette(unittest.TestCase):
             self.assertIn(f"{name.replace(' ', '_')} = [{triple(name)}] / 255;", code)
 
     def test_pictures_of_scenes(self):
-        """As drawn: each curve's colour is before its name in the committed picture."""
+        """In the committed picture each curve's colour stands before its name."""
         seen, drawn_as = set(), {}
         names = {**{cause: cause for cause in CAUSES}, "axial force": "total", "total": "total",
                  "way in": "way in", "way out": "way out", "hold": "hold"}
@@ -150,7 +150,7 @@ class Shown(unittest.TestCase):
         file.write_text(text.replace(old, new, 1))
         return list(shown.faults("scenes"))
 
-    def test_each_change_is_named(self):
+    def test_each_change_is_reported(self):
         before = list(shown.faults("scenes"))
         number = len(list((self.root / "hal/scenes/pictures").glob("*.svg")))
         for path, old, new, words, count in [
@@ -167,7 +167,7 @@ class Shown(unittest.TestCase):
 
 
 class Labels(unittest.TestCase):
-    def test_none_lies_over_another_or_outside(self):
+    def test_no_name_lies_over_another_or_outside(self):
         random = np.random.default_rng(28)
         for _ in range(300):
             low, wide = random.uniform(-50, 50), random.uniform(0.1, 100)

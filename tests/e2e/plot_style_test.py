@@ -4,7 +4,7 @@
 colours of hal/palette.csv, with no text on another and none beyond the edge. STYLET_BIN and
 STYLET_SOURCE name the folders of programs and source.
 
-How wide a text is, matplotlib measures in the same font (DejaVu Sans).
+Widths of texts are measured by matplotlib in the same font (DejaVu Sans).
 """
 import itertools
 import os
@@ -24,7 +24,7 @@ BIN, SOURCE = (pathlib.Path(os.environ[name]) for name in ("STYLET_BIN", "STYLET
 SIZES = {"console": (900, 820), "paper": (321, 420), "slide": (1280, 720)}
 # Short stages (puncture) and many of them (layers), two needles.
 SCENES = ("fig09-force-curve", "lumbar-puncture", "fig03-puncture", "prostate-template")
-ALONE = 0.3  # px that two boxes of text may share: rounding of their places
+ALONE = 0.3  # px of overlap that is rounding
 
 
 def stylet(*words, code=0):
@@ -57,7 +57,7 @@ def texts(svg):
 
 
 def shared(a, b):
-    """By how much two convex boxes overlap: the smallest way that parts them."""
+    """By how much two convex boxes overlap: the shortest displacement that separates them."""
     least = np.inf
     for box in (a, b):
         for edge in np.roll(box, -1, 0) - box:
@@ -73,7 +73,7 @@ class Boxes(unittest.TestCase):
         diamond = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)], float)
         self.assertAlmostEqual(shared(square, square + [1.5, 0]), 0.5)
         self.assertLess(shared(square, square + [2.5, 0]), 0)
-        # Their upright boxes overlap, they do not.
+        # Their axis-parallel bounding boxes overlap, but they do not.
         self.assertLess(shared(diamond, square * 0.4 + [0.7, 0.7]), 0)
 
 
@@ -129,7 +129,7 @@ class Styles(unittest.TestCase):
                 colour = rf"rgb\( *{red}, *{green}, *{blue}\)"
                 self.assertTrue(re.search(colour, text), f"{style}: {cause} is not {colour}")
 
-    def test_what_is_none_is_refused(self):
+    def test_an_unknown_style_or_format_is_refused(self):
         recording = str(self.top / "fig09-force-curve.h5")
         said = stylet("plot", recording, "--style", "poster", "-o", str(self.top / "a.svg"), code=2)
         self.assertIn("console,paper,slide", said)

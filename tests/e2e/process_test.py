@@ -22,7 +22,7 @@ from cli_test import BIN, SCENE, Folder, call, wait_until
 
 
 class Run:
-    """A run in real time beside the test; the machine need not be fit for it."""
+    """A run in real time beside the test; the machine may be too slow for it."""
 
     def __init__(self, organ, *arguments, scene=SCENE):
         self.process = subprocess.Popen(
@@ -52,7 +52,7 @@ def loop_runs(process):
 
 
 class Killed(Folder):
-    """kill -9 at any time: at most a second is lost, and what is left can be read."""
+    """After kill -9 at any time at most a second is lost, and the rest can be read."""
 
     def test_recording_survives(self):
         organ = self.make_phantom()
@@ -104,7 +104,8 @@ class Killed(Folder):
         return run
 
     def test_a_reader_that_reads_no_more_holds_no_run(self):
-        """One signal ends it. Before its first tick nothing is left; a recording is completed."""
+        """One signal ends the run. If it comes before the first tick, nothing is left; otherwise
+        the recording is completed."""
         self.organ = self.make_phantom()
         for i, streams in enumerate((["stdout"], ["stdout", "stderr"])):
             recording = self.top / f"held{i}.h5"
@@ -133,12 +134,12 @@ def beside(run, role):
 
 
 class Disturbed(Folder):
-    """What is beside the loop crashes, hangs or starves: the run goes on, with the same bits.
+    """If a process beside the loop crashes, hangs or starves, the run goes on with the same bits.
 
-    In virtual time, where no busy machine makes other bits.
+    In virtual time, in which a busy machine cannot change the bits.
     """
 
-    DURATION_S = 10  # two of a clock on the wall
+    DURATION_S = 10  # two of real time
 
     @classmethod
     def setUpClass(cls):
@@ -162,7 +163,7 @@ class Disturbed(Folder):
         return run
 
     def some_time(self):
-        """Somewhere in the run."""
+        """A time somewhere in the run."""
         time.sleep(self.random.uniform(0, 0.6 * self.wall_s))
 
     @staticmethod
@@ -171,7 +172,7 @@ class Disturbed(Folder):
                 if not name.startswith("lost_")}
 
     def same_run(self, run, timeout=120):
-        """Its report and what it said, when it has ended as if nothing had happened."""
+        """Its report and its output, after it has ended as if nothing had happened."""
         out, error = run.process.communicate(timeout=timeout)
         self.assertNotEqual(out, "", error)
         report = json.loads(out)
@@ -182,7 +183,7 @@ class Disturbed(Folder):
 
 
 class Igtl(Disturbed):
-    """OpenIGTLink's server ends in any way, or hangs."""
+    """The process of OpenIGTLink's server ends in any way, or hangs."""
 
     def follow(self, **how):
         run = self.start("--igtl=0", **how)
@@ -251,7 +252,7 @@ class Igtl(Disturbed):
 
 
 class Recorder(Disturbed):
-    """The recorder ends in any way, or hangs: what it wrote stays, and the user is told."""
+    """If the recorder ends in any way, or hangs, what it wrote stays and the user is told."""
 
     def record(self, name, **how):
         recording = self.top / name
@@ -260,10 +261,10 @@ class Recorder(Disturbed):
         return run, recording
 
     def what_is_left(self, recording, report, error):
-        """It holds the ticks that the user was told of, and is a recording.
+        """The file is a recording, with the ticks that the user was told of.
 
-        It may hold one block of half a second more: its end may fall between the moment when a
-        block is on the disk and the moment when that is known.
+        It may have one block of half a second more, if the end fell between the moment when a block
+        was on the disk and the moment when that was known.
         """
         self.assertFalse(recording.exists())
         left, = self.top.glob(f"{recording.name}.*.tmp")
@@ -302,14 +303,14 @@ class Recorder(Disturbed):
         limit = 1 << 20
         resource.prlimit(beside(run, "recorder"), resource.RLIMIT_AS, (limit, limit))
         report, error = self.same_run(run)
-        if recording.exists():  # it had taken what it needed
+        if recording.exists():  # it already had the memory it needed
             self.assertEqual((run.process.returncode, error.count("recorder")), (0, 0))
             return
         self.assertIn(run.process.returncode, (1, 3))
         self.assertRegex(error, "out of memory|cannot be written|cannot be completed|exit code")
 
-    def test_a_hurried_run_does_not_wait_for_the_dead(self):
-        """Nor for one that hangs, though there is no room left for what it should take."""
+    def test_a_fast_run_does_not_wait_for_a_dead_recorder(self):
+        """Nor for one that hangs, although no room is left for the records that it should take."""
         for number in (signal.SIGKILL, signal.SIGSTOP):
             run, _ = self.record(f"hurried{number.value}.h5", duration_s=40)
             os.kill(beside(run, "recorder"), number)
@@ -328,7 +329,8 @@ class Recorder(Disturbed):
         left, = self.top.glob("alone.h5.*.tmp")
         with h5py.File(left, "r") as file:
             last_ns = int(file["device/t_ns"][-1])
-        # Less than a block, which waits for half a second; the loop itself may have been held up.
+        # Less than a block is lost, which waits for half a second; the loop itself may have been
+        # held up.
         self.assertLess(1e-9 * (killed_ns - last_ns), 0.4)
 
     def test_outside_signals_are_not_for_it(self):
@@ -342,7 +344,7 @@ class Recorder(Disturbed):
 
 
 def of_session(session):
-    """Processes of it that have not ended."""
+    """Processes of the run that have not ended."""
     for each in pathlib.Path("/proc").glob("[0-9]*"):
         try:
             words = (each / "stat").read_text().rsplit(")", 1)[1].split()
@@ -353,9 +355,10 @@ def of_session(session):
 
 
 class Signals(Disturbed):
-    """A signal from outside at any time: all processes end, and a recording is whole or not there.
+    """After a signal from outside all processes end, and a recording is whole or does not exist.
 
-    Before the program has begun, while it reads, starts its processes, runs and ends.
+    The signal comes before the program has begun, or while it reads, starts its processes, runs or
+    ends.
     """
 
     SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGPIPE]
@@ -379,7 +382,7 @@ class Signals(Disturbed):
         time.sleep(self.random.uniform(0, 0.2 if early else 1.1 * self.wall_s))
         process.send_signal(sent)
         _, error = process.communicate(timeout=60)
-        # By the signal alone before the program could take it.
+        # Ended by the signal itself, before the program could handle it.
         self.assertIn(process.returncode, (0, 3, -sent), error)
         wait_until(lambda: not list(of_session(process.pid)), 5)
         self.assertEqual(list(self.top.glob(f"{recording.name}.*")), [])
@@ -392,7 +395,7 @@ class Signals(Disturbed):
 
 
 class Starved(Disturbed):
-    """An allocation fails in a thread: no exception leaves it."""
+    """If an allocation fails in a thread, no exception leaves it."""
 
     THREADS = {"stylet-loop": [], "stylet-helper": ["--threads", "2"],
                "stylet-recorder": ["--record", "starved.h5"], "stylet-igtl": ["--igtl=0"]}
@@ -414,7 +417,7 @@ class Starved(Disturbed):
             [BIN / "stylet", "run", SCENE, "--organ", self.organ, "--allow-non-rt", "--force",
              "--duration-s", "0.5", "--flight", self.top / "flight.h5", "--fast", *arguments],
             cwd=self.top, env=env, capture_output=True, text=True, timeout=120)
-        # By a signal: terminate() ended it.
+        # A signal ended it, so terminate() was called.
         self.assertIn(done.returncode, (0, 1, 3), done.stderr)
         self.assertNotIn("terminate called", done.stderr)
         self.assertNotIn("Aborted", done.stderr)

@@ -48,7 +48,7 @@ NOT_RUN = {
     r"cc -shared .*/stylet_godot\.c .*|godot3 .*": "needs the engine; hosts.godot runs it",
     r"snakemake .*slurm.*": "needs a cluster; offline.cohort.UnderSlurm makes one",
 }
-# Takes minutes, so in the tier full.
+# They take minutes, so they run in the tier full.
 SLOW = r"hal/scenes/play\.py --out scenes|stylet doctor --measure 60.*"
 # 3 and 4: this machine is late, or has no real-time rights.
 MACHINE = r"stylet (run|doctor)\b(?!.*--fast).*"
@@ -57,7 +57,7 @@ OF_THE_CHECKOUT = ("tests/", "toolchain/", "./toolchain/", "build/", "hal/consol
                    "ctest --test-dir build")
 PROGRAMS = {"stylet", "stylet-organ", "snakemake", "npm", "cmake", "apt-get", "ctest", "sbatch",
             "dask-scheduler"}
-# Of other people's languages; where one is missing its commands are skipped.
+# Programs of other languages; if one is missing, its commands are skipped.
 PROGRAMS_OF_HOSTS = {"cc", "godot3", "mcs", "mkoctfile", "mono", "octave"}
 
 
@@ -96,12 +96,13 @@ def blocks(text):
 
 
 def commands(readme):
-    """A block is of commands or of none: half of each would hide one that has a mistake."""
+    """Either every line of a block is a command or none is: in a mixed block a mistyped command
+    would not be noticed."""
     found = []
     for block in blocks(readme.read_text()):
         try:
             lines = logical_lines(block)
-        except ValueError:  # quotes of a drawing
+        except ValueError:  # quotation marks of a drawing
             continue
         kinds = {is_command(line, SOURCE) for line in lines}
         if kinds == {True, False}:
@@ -111,7 +112,7 @@ def commands(readme):
 
 
 class Tree:
-    """Where the commands run, with what a user would have there."""
+    """The folder in which the commands run, with what a user would have there."""
 
     def __init__(self, kind, top):
         self.kind, self.bin = kind, BUILD / "bin"
@@ -153,7 +154,7 @@ class Tree:
         self.env = {key: value for key, value in os.environ.items()
                     if key not in ("STYLET_BIN", "STYLET_SOURCE", "STYLET_BUILD", "PYTHONPATH")}
         self.env["XDG_CACHE_HOME"] = str(top / "caches")  # organs of scenes run by name
-        # What the system finds by itself where Stylet is installed in /usr.
+        # What the system finds by itself if Stylet is installed in /usr.
         self.env["PYTHONPATH"] = str(package)
         self.env["LD_LIBRARY_PATH"] = str(top / "prefix/lib")
         self.env["PKG_CONFIG_PATH"] = str(top / "prefix/lib/pkgconfig")
@@ -185,7 +186,7 @@ class Tree:
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=1500)
 
     def lacks(self, line):
-        """What of the shared data, or which program, a command needs and is not there."""
+        """Which shared data, or which program, a command needs that is missing here."""
         if line.split()[0] in PROGRAMS_OF_HOSTS and shutil.which(line.split()[0]) is None:
             return line.split()[0]
         names = [word for word in re.findall(r"[\w./-]+\.(?:stl|nii\.gz)", line)
@@ -194,7 +195,8 @@ class Tree:
 
 
 def serve(tree, line):
-    """A command that runs until it is stopped: its page's address, then Ctrl-C."""
+    """Runs a command that does not end by itself: waits for its page's address, then sends
+    Ctrl-C."""
     server = subprocess.Popen(["bash", "-c", "exec " + line], cwd=tree.top, env=tree.env, text=True,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT)

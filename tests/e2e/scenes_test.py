@@ -41,7 +41,7 @@ class Scene(unittest.TestCase):
         cls.run_ = draw.Run(recording)
 
     def check_quiet(self):
-        """Nothing ran full, no guard fault, and the picture can be drawn."""
+        """No pool was full, there was no guard fault, and the picture can be drawn."""
         counters = self.report["counters"]
         for key in ("cp_pool_full", "cp_voxel_pool_full", "kernel_fault", "guard_faults"):
             self.assertEqual(counters[key], 0, key)
@@ -57,7 +57,8 @@ class Scene(unittest.TestCase):
         self.assertFalse(change, f"{self.name}: {change}")
 
     def test_promises_hold_at_every_tick(self):
-        """Those of promises.h, and the wrench at the handle is the sum over the particles."""
+        """The promises of promises.h; and the wrench at the handle is the sum over the
+        particles."""
         self.run_.shapes(len(self.run_.time_s))
         checks = self.run_.checks
         self.assertEqual(checks["ticks"], len(self.run_.time_s))
@@ -82,7 +83,8 @@ def bending_of(outer_m, inner_m):
 
 
 def bending_energy(needle, bending_nm2, straight):
-    """Of a chain of rods clamped along `straight`, joints of EI / l, at the clamp twice that."""
+    """Energy of a chain of rods clamped along `straight`, with joints of stiffness EI / l and twice
+    that at the clamp."""
     rods = np.diff(np.array(needle), axis=0)
     length = np.linalg.norm(rods[0])
     rods = np.vstack([[straight], rods / length])
@@ -121,7 +123,7 @@ class Fig02ConstraintParticles(Scene):
 
 
 def clamped_stiffness(bending_nm2, foundation_n_per_m2, free_m, embedded_m, pieces=400):
-    """Of a beam's clamped end, across it; its far part lies on an elastic foundation."""
+    """Stiffness across the clamped end of a beam whose far part lies on an elastic foundation."""
     h = (free_m + embedded_m) / pieces
     beam = bending_nm2 / h**3 * np.array(
         [[12, 6 * h, -12, 6 * h], [6 * h, 4 * h * h, -6 * h, 2 * h * h],
@@ -223,10 +225,11 @@ class Fig04InsertRetract(Scene):
         run = self.run_
         inside = slice(run.index("puncture") + 1, run.index("exit"))
         units = run.depth_m[inside] / self.UNIT
-        # tip, entry, and one for each whole unit between them
+        # the tip, the entry, and one for each whole unit between them
         wrong = np.abs(run.particles[inside] - (units + 1.5))
         self.assertLessEqual(wrong.max(), 1.0)
-        # 25 mm of soft gel under 5 mm voxels give way before the puncture, and the report says so.
+        # 25 mm of soft gel in 5 mm voxels are pressed in before the puncture, and the report says
+        # so.
         self.assertGreater(self.report["dimple_voxels"], 3)
         steps = np.diff(run.particles[inside])
         deepest = int(np.argmax(run.depth_m[inside]))
@@ -254,7 +257,8 @@ class Fig05StickSlip(Scene):
         way, force = run.hand_m[loop], run.axial_n[loop]
         area = float(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(way)))
         amplitude = np.ptp(way) / 2
-        # It grows with depth: the second halves of both strokes lie alike about the middle.
+        # Friction grows with depth, so the second halves of both strokes are compared: they lie
+        # symmetrically about the middle.
         limit = (force[3000:3900].mean() - force[1000:1900].mean()) / 2
         start = int(np.argmax(way[:200]))
         zero = start + int(np.argmax(force[start:] < 0))
@@ -371,7 +375,8 @@ class LumbarPuncture(Scene):
         cutting = run.parts_n["cutting"]
         self.assert_within(cutting[at - 1], 9, 0.02)  # what it takes to cut the ligamentum flavum
         self.assertLess(cutting[at], 0.1)
-        # The tissue the tip had dragged along springs back and rubs: the whole follows.
+        # The tissue that the tip had dragged along springs back and rubs on the needle, so the
+        # total follows later.
         self.assertLess(run.axial_n[at], 0.7 * run.axial_n[at - 1])
         self.assertLess(run.axial_n[at + 150], 0.25 * run.axial_n[at - 1])
 
@@ -421,7 +426,7 @@ class ProstateSpinning(Scene):
     name = "prostate-spinning"
     DUTY = (0, 0.5, 1)
 
-    def test_needles_bend_by_what_the_spinning_leaves(self):
+    def test_spinning_leaves_the_needles_bent_by_the_rest(self):
         self.check_quiet()
         runs = [draw.Run(self.run_.path, needle) for needle in range(3)]
         aside = [run.tip_m[-1, 2] - run.tip_m[0, 2] for run in runs]

@@ -12,7 +12,7 @@ Function real(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-// All but whole numbers, which every library gets right.
+// Whole numbers are left alone: every library gets them right.
 template <typename Number>
 Number shaken(Number v) {
   const bool is_whole =

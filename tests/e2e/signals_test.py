@@ -60,7 +60,7 @@ class Peer:
 
 
 def start_attempt(port):
-    """As the console's page does; whoever serves it may be gone at any time."""
+    """Presses Start as the console's page does; the server may be gone at any time."""
     # FlatBuffers: the root, the file's name, a Message with its vtable, and an empty Start (7).
     message = struct.pack("<I4s4HiBxxxI2Hi", 16, b"STLC", 8, 12, 4, 8, 8, 7, 8, 4, 4, 4)
     mask = b"mask"
@@ -79,9 +79,9 @@ def start_attempt(port):
 
 
 class SignalsBeside(Disturbed):
-    """At any time: all processes end, a recording is whole or not there, no shared memory is left.
+    """All processes end, a recording is whole or does not exist, no shared memory is left.
 
-    SIGPIPE ends nothing; two signals may come.
+    The signal may come at any time, and a second one after it; SIGPIPE ends nothing.
     """
 
     ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT]
@@ -99,7 +99,7 @@ class SignalsBeside(Disturbed):
                 self.assertEqual(left, [])
 
     def device(self):
-        """A URI, and the program at its other end."""
+        """A device's URI, and the program at its other end."""
         kind = self.random.choice(["hd:", "dhd:0", "udp:", "shm:", "none"])
         if kind == "udp:":
             with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
@@ -128,7 +128,7 @@ class SignalsBeside(Disturbed):
                      STYLET_LIBDHD=os.environ["STYLET_STANDIN_DHD"]))
         self.addCleanup(process.kill)
         page = None
-        if self.random.random() < 0.6:  # when it has begun
+        if self.random.random() < 0.6:  # after it has begun
             said = re.search(r"console at http://127.0.0.1:(\d+)", process.stdout.readline())
             page = start_attempt(int(said[1])) if console and said else None
         time.sleep(self.random.uniform(0, 1.5))
@@ -137,7 +137,8 @@ class SignalsBeside(Disturbed):
         if page:
             page.close()
         what = f"{arguments} console {console}, sent {self.sent}: {error}"
-        # By the signal alone before the program could take it, or because it came three times.
+        # Ended by the signal itself, before the program could handle it, or because it came three
+        # times.
         self.assertIn(process.returncode, {0, 1, 3, *(-each for each in self.sent)}, what)
         wait_until(lambda: not list(of_session(process.pid)), 10)
         self.assertEqual(list(self.top.glob(f"{recording.stem}*.tmp")), [], what)
@@ -147,7 +148,7 @@ class SignalsBeside(Disturbed):
                 self.assertEqual(int(file.attrs["lost_records"]), 0, what)
 
     def send(self, process):
-        """One that ends it, at once or after one that does not, or one of them again."""
+        """A signal that ends the program: at once, after one that does not, or twice."""
         before = self.random.choice([signal.SIGPIPE, *self.ENDING])
         self.sent = [before] * self.random.choice([0, 1])
         self.sent.append(self.random.choice(self.ENDING))

@@ -71,9 +71,9 @@ Json shape_of(const Kernel& kernel, const Organ& organ, const Config& config, st
           {"surface_m", places}};
 }
 
-// What was seen in all ticks: the most by which force and torque at a handle missed their sums, as
-// fractions of what was summed (for a torque, times the needle's length), and the first broken
-// promise.
+// What was seen in all ticks: the largest difference between force and torque at a handle and the
+// sums they should be, as a fraction of what was summed (for a torque, times the needle's length);
+// and the first broken promise.
 struct Checks {
   double force_share = 0, torque_share = 0;
   std::string broken;

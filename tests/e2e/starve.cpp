@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// To be preloaded: in threads of the name STYLET_STARVE_THREAD every allocation by `new` fails,
-// from the one with the number STYLET_STARVE_AFTER on.
+// To be preloaded: in threads with the name STYLET_STARVE_THREAD every allocation by `new` fails,
+// beginning with number STYLET_STARVE_AFTER.
 #include <pthread.h>
 
 #include <atomic>

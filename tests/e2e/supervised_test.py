@@ -27,7 +27,7 @@ class Notified(unittest.TestCase):
         self.top = pathlib.Path(folder.name)
 
     def told(self, address, own_pid=None, watched_s=1.5):
-        """What the program tells within a time from when its page is there, and when."""
+        """What the program reports within a time after its page is there, and when."""
         hears = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
         self.addCleanup(hears.close)
         hears.bind(address.replace("@", "\0", 1) if address.startswith("@") else address)
@@ -61,7 +61,8 @@ class Notified(unittest.TestCase):
                 self.assertEqual([word for word, _ in words].count("READY=1"), 1)
                 alive = [at_s for word, at_s in words if word == "WATCHDOG=1"]
                 self.assertGreaterEqual(len(alive), 2)
-                # At most a word in a quarter of the time; a busy machine may be later than that.
+                # At most one message in each quarter of the watchdog's time; a busy machine may be
+                # later than that.
                 self.assertLessEqual(len(alive), 1.5 / (WATCHDOG_S / 4) + 2)
                 self.assertEqual({word for word, _ in words}, {"READY=1", "WATCHDOG=1"})
 
@@ -69,7 +70,7 @@ class Notified(unittest.TestCase):
         words = self.told(str(self.top / "notify"), own_pid=1, watched_s=0.5)
         self.assertEqual([word for word, _ in words], ["READY=1"])
 
-    def test_an_address_that_is_none_is_no_harm(self):
+    def test_an_address_that_does_not_exist_does_no_harm(self):
         for address in ("", "x", "/" + 200 * "y"):
             env = {**os.environ, "NOTIFY_SOCKET": address, "XDG_CACHE_HOME": str(self.top)}
             program = subprocess.Popen(
@@ -101,7 +102,7 @@ class Unit(unittest.TestCase):
             self.assertNotEqual(judged(text.replace("WatchdogSec", "WatchdogSeconds"))[1], [])
             self.assertNotEqual(judged(text.replace("/stylet run", "/no-such run"))[1], [])
 
-    def test_it_is_told_to_watch(self):
+    def test_the_unit_asks_systemd_to_watch(self):
         text = UNIT.read_text()
         self.assertIn("Type=notify\n", text)
         self.assertRegex(text, r"WatchdogSec=\d+\n")

@@ -124,7 +124,7 @@ class Score(Attempts):
 
 
 class Igtl(Attempts):
-    """A client written from the protocol's page, for one that is not the library's."""
+    """A client written from the description of the protocol, without the library."""
 
     def receive(self, client, size):
         data = b""
@@ -157,7 +157,7 @@ class Igtl(Attempts):
         if "built without" in line:
             self.skipTest("libopenigtlink-dev is missing")
         self.assertTrue(found, line)
-        # What it says later must not make it wait for us.
+        # Its later output must not make it wait for this test.
         drain = threading.Thread(target=run.communicate, daemon=True)
         drain.start()
         tips, kinds = [], set()
@@ -176,7 +176,7 @@ class Igtl(Attempts):
                                  ("STRING", "StyletState"), ("STATUS", "Stylet"),
                                  ("POINT", "StyletTargets")})
         tips = np.array(tips)
-        self.assertGreater(len(tips), 5)  # of a hundred, on a busy machine
+        self.assertGreater(len(tips), 5)  # of a hundred; a busy machine sends fewer
         # In along the world's +x, which is to the left in RAS: -x, mm.
         self.assertLess(tips[:, 0].min(), -30)
         self.assertGreater(tips[:, 0].max(), -20)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A Debian in a folder with nothing in it but what a Debian always has, from this machine's own
-mirror."""
+"""A minimal Debian in a folder, from this machine's own mirror."""
 import os
 import pathlib
 import re
@@ -10,13 +9,12 @@ import subprocess
 SUITE = "bookworm"
 SAID_OFFLINE = re.compile("Temporary failure|Could not resolve|Failed getting release|"
                           "Couldn't download|Connection (failed|timed out|refused)")
-# Folders of the running system, what tests put there, and the pages that man has shown, which it
-# forgets by itself.
+# Left out: folders of the running system, what tests put there, and the cache of man's pages.
 NOT_OF_PACKAGES = ("/proc/", "/sys/", "/dev/", "/tmp/", "/var/cache/man/")
 
 
 class Missing(Exception):
-    """What this machine lacks for such a Debian."""
+    """What this machine lacks to make such a Debian."""
 
 
 def run(*command, **more):
@@ -24,14 +22,14 @@ def run(*command, **more):
 
 
 def mirror():
-    """That of apt, which is near or the only one; else debootstrap's own."""
+    """The mirror of apt, which is near or the only one; otherwise debootstrap's own."""
     said = run("apt-get", "indextargets", "--format", "$(REPO_URI)", "Created-By: Packages",
                f"Codename: {SUITE}", "Component: main").stdout.split()
     return [uri for uri in said if uri.startswith(("http://", "https://", "file:"))][:1]
 
 
 def proxies():
-    """apt's proxy, for debootstrap and for the apt inside."""
+    """apt's proxy, for debootstrap and for apt inside."""
     found = {}
     for scheme in ("http", "https"):
         proxy = run("apt-config", "--format", "%v", "dump", f"Acquire::{scheme}::Proxy").stdout
@@ -62,7 +60,8 @@ class CleanRoot:
             shutil.copy(f"/etc/{name}", self.path / "etc")
 
     def inside(self, *command, network=True, cwd="/tmp"):
-        """Output of a command there, which must end well; with a /proc, which goes with it."""
+        """Output of a command there, which must succeed. It has a /proc, which is removed
+        afterwards."""
         lonely = [] if network else ["--net"]
         done = run("unshare", "--mount", "--pid", "--fork", *lonely,
                    f"--mount-proc={self.path}/proc", "chroot", self.path, "env", "-C", cwd,

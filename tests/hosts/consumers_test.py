@@ -25,7 +25,7 @@ STRICT_C = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 
 
 def environment(**more):
-    """That of a user who has set nothing for Stylet, and who has no flatc in the PATH."""
+    """The environment of a user who has set nothing for Stylet and has no flatc in the PATH."""
     kept = {key: value for key, value in os.environ.items()
             if not key.startswith(("STYLET_", "CMAKE_", "PKG_CONFIG", "LD_LIBRARY"))}
     return {**kept, **more}
@@ -42,7 +42,7 @@ class Consumers(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.top = pathlib.Path(folder.name)
         cls.organ = cls.make_organ()
-        # What all others must give: the library and the kernel as they were built here.
+        # The results that all others must have: those of the library and the kernel as built here.
         library = BUILD / "lib"
         reference = cls.top / "reference"
         output("cc", *STRICT_C, EXAMPLE, f"-I{SOURCE}/hal/hosts/c/include", f"-L{library}",
@@ -52,7 +52,7 @@ class Consumers(unittest.TestCase):
 
     @classmethod
     def make_organ(cls):
-        """A liver if the program for it is there: the needle goes in, sticks and slips."""
+        """A liver, if the program for it was built: the needle goes in, sticks and slips."""
         program = BUILD / "bin/stylet-organ"
         if not program.exists():
             return SEED
@@ -78,7 +78,7 @@ class Installed(Consumers):
         for component in ("libraries", "development"):
             output("cmake", "--install", BUILD, "--component", component, "--prefix", first)
         first.rename(cls.prefix)
-        # A flatc that fails: an installed tree has the generated header.
+        # A flatc that fails: an installed tree has the generated header, so nobody may call it.
         cls.tools = cls.top / "tools"
         cls.tools.mkdir()
         (cls.tools / "flatc").write_text("#!/bin/sh\nexit 1\n")
@@ -93,7 +93,7 @@ class Installed(Consumers):
         return folder
 
     def test_lines_of_the_page(self):
-        """Those of hal/hosts/c/README.md, in the smallest project that they can be in."""
+        """The lines of hal/hosts/c/README.md, in the smallest possible project."""
         page = (SOURCE / "hal/hosts/c/README.md").read_text()
         block = re.search(r"## Built with CMake\n+```cmake\n(.*?)```", page, re.S)[1]
         find, link = block.strip().splitlines()
@@ -114,12 +114,12 @@ class Installed(Consumers):
         self.assertRegex(output(folder / "insert_cxx", self.organ), r"^same of \d+\.\d+\.\d+$")
 
     def test_static_libraries_by_find_package(self):
-        """Standard 17 is the project's; the libraries ask for the 20 that their headers need."""
+        """The project asks for standard 17; the libraries ask for 20, which their headers need."""
         for standard in (17, 20):
             folder = self.build("CXX", standard, "ON")
             self.assertEqual(self.state_after(folder / "insert_kernel"), self.kernel_state)
             self.assertRegex(output(folder / "loop", SEED), r"^a hand: 45[01] ticks, .*none$")
-        # In a plugin nobody sees them, also not a libstylet.so beside it.
+        # Inside a plugin nothing else sees them, not even a libstylet.so beside it.
         plugin = folder / "libplugin.so"
         exported = output("nm", "-DC", "--defined-only", plugin)
         self.assertIn(" T main", exported)
@@ -143,7 +143,7 @@ class Installed(Consumers):
                          re.search(r"project\(stylet VERSION (\S+)",
                                    (SOURCE / "CMakeLists.txt").read_text())[1])
 
-    def test_holds_no_path_of_the_build(self):
+    def test_contains_no_path_of_the_build(self):
         for path in self.prefix.rglob("*"):
             if path.suffix in (".cmake", ".pc", ".h", ".inc") and path.is_file():
                 for place in (SOURCE, BUILD, self.top):
@@ -151,7 +151,7 @@ class Installed(Consumers):
 
 
 class Inside(Consumers):
-    """Flags that would change the bits, or stop at a warning, are the parent's own."""
+    """Flags of the parent that would change the bits, or stop at a warning, do not reach Stylet."""
     PARENTS = {"strict": "-Werror -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wuseless-cast",
                "engine": "-O2 -flto -fno-exceptions -fno-rtti -fno-threadsafe-statics"
                          " -fvisibility=hidden -fvisibility-inlines-hidden -ffunction-sections"
@@ -163,7 +163,7 @@ class Inside(Consumers):
 
     def expect_same_bits(self, name, alone):
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.top))
-        # Its build type brings no level of its own.
+        # Its build type sets no level of optimisation.
         self.configure("inside", folder, "-DCMAKE_BUILD_TYPE=None",
                        f"-DCONSUMER_KERNEL_ALONE={alone}",
                        f"-DCMAKE_CXX_FLAGS={self.PARENTS[name]}")
@@ -175,8 +175,8 @@ class Inside(Consumers):
         self.expect_same_bits("strict", "OFF")
         self.expect_same_bits("strict", "ON")
 
-    def test_parent_as_engines_are(self):
-        """Without exceptions and run-time types, and with parts of -ffast-math by their names."""
+    def test_parent_with_the_flags_of_engines(self):
+        """Without exceptions and run-time types, and with parts of -ffast-math."""
         self.expect_same_bits("engine", "OFF")
 
     def test_parent_without_optimisation(self):

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""libstylet.so exports the functions of its header and nothing else, needs what every Debian has,
-and runs the programs of earlier versions; its headers are C89 and C++98, and all that came later.
+"""libstylet.so exports the functions of its header and nothing else, needs only what every Debian
+has, and runs the programs of earlier versions; its headers compile as C89, C++98 and every later
+standard.
 
 usage: exports_test.py LIBRARY SOURCE ORGAN
 """
@@ -18,7 +19,7 @@ from command import output
 LIBRARY, SOURCE, ORGAN = (pathlib.Path(word) for word in sys.argv[1:4])
 INCLUDE = SOURCE / "hal/hosts/c/include"
 ABI = SOURCE / "tests/hosts/abi"
-# libccd finds where convex bodies touch, libmd sums files.
+# libccd finds where convex bodies touch, libmd computes checksums of files.
 NEEDED = {"libc", "libm", "ld-linux-x86-64", "ld-linux-aarch64", "libccd", "libmd"}
 
 
@@ -34,7 +35,7 @@ def declared(header):
 
 class Exports(unittest.TestCase):
     def test_are_those_of_the_list(self):
-        """By node, so that an old function that moves into another is noticed."""
+        """By version node, so that an old function that moves into another node is noticed."""
         rows = output("nm", "-D", "--defined-only", LIBRARY).splitlines()
         symbols = [row.split()[2] for row in rows]
         versions = [name for name in symbols if re.fullmatch(r"STYLET_[\d.]+", name)]
@@ -57,7 +58,7 @@ class Exports(unittest.TestCase):
         numbers = re.findall(r"#define STYLET_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", header)
         self.assertEqual(".".join(numbers), LIBRARY.resolve().name.removeprefix("libstylet.so."))
 
-    def test_is_found_by_its_number(self):
+    def test_is_found_by_its_soname(self):
         self.assertRegex(output("readelf", "-d", LIBRARY), r"\(SONAME\).*\[libstylet\.so\.0\]")
 
 
@@ -95,7 +96,7 @@ class Programs(unittest.TestCase):
                        "-o", program)
                 self.assertEqual(output(program, ORGAN), "needle.length_m\nok\n")
 
-    def test_find_what_their_header_declared(self):
+    def test_earlier_programs_find_what_their_header_declared(self):
         names = {line.split()[0] for line in listed()}
         headers = sorted(ABI.glob("*/stylet/*.h"))
         self.assertTrue(headers)

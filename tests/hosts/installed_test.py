@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The installed program: all that it reads is there, its scenes are run by name from anywhere, and
-their organs are made on first use, except the phantom that is installed.
+"""The installed program: all files that it reads are there; its scenes run by name from any folder;
+their organs are made on first use, except for the phantom, which is installed.
 
 usage: installed_test.py    with STYLET_BUILD and STYLET_SOURCE in the environment
 """
@@ -20,7 +20,8 @@ SEED = SOURCE / "tests/fuzz/seeds/organ/two-materials.organ"
 SCENES = sorted(path.stem for path in (SOURCE / "hal/scenes").glob("*.toml")
                 if "# organ: stylet-organ " in path.read_text())
 RUN = ("run", "fig03-puncture", "--fast", "--duration-s", "0.05", "--json")
-# In place of stylet-organ where a test is not about organs: notes its words and gives a small one.
+# Replaces stylet-organ in tests that are not about organs: notes its arguments and writes a small
+# organ.
 STAND_IN = """#!/bin/sh
 echo "making an organ"
 echo "$@" >> "$STAND_IN_CALLS"
@@ -36,14 +37,14 @@ def install(prefix, *components):
 
 
 def anchors(page):
-    """The names that a forge gives a page's headings."""
+    """The names that a forge (as GitHub) gives to a page's headings."""
     text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.S | re.M)
     return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
             for heading in re.findall(r"^#+ +(.+)$", text, re.M)}
 
 
 def dead_links(top):
-    """Links of the pages below a folder that lead nowhere in it."""
+    """Links of the pages in a folder that lead to nothing in it."""
     for page in sorted(top.rglob("*.md")):
         for number, line in enumerate(page.read_text().splitlines(), 1):
             for link in re.findall(r"\]\((?!\w+:)([^)\s]+)\)", line):
@@ -110,7 +111,7 @@ class Installed(unittest.TestCase):
     def test_makes_an_organ_on_first_use(self):
         self.stand_in()
         done = self.call(*RUN)
-        json.loads(done.stdout)  # what the maker of the organ says is not among it
+        json.loads(done.stdout)  # without the output of the organ's maker
         self.assertIn("making an organ", done.stderr)
         organ, = self.organs()
         self.assertRegex(organ.name, r"^fig03-puncture-[0-9a-f]{16}\.organ$")
@@ -120,7 +121,8 @@ class Installed(unittest.TestCase):
                                    "fig03-puncture.toml", *RUN[2:]).returncode, 0)
 
     def test_has_the_liver_phantom(self):
-        """The scenes in it run without a maker of organs, with the bits of one that is made now."""
+        """Its scenes run without the program that makes organs, with the bits of a phantom that is
+        made now."""
         if not (BUILD / "bin/stylet-organ").exists():
             self.skipTest("stylet-organ was not built, which makes it")
         organ = self.home / "liver.organ"
@@ -133,11 +135,11 @@ class Installed(unittest.TestCase):
             self.assertEqual(ready["state_hash"], made["state_hash"], scene)
         self.assertEqual(self.organs(), [])
 
-    def test_keeps_organs_where_it_is_told(self):
+    def test_keeps_organs_in_the_folder_it_is_given(self):
         self.stand_in()
         self.call(*RUN, XDG_CACHE_HOME=str(self.home / "caches"))
         self.assertEqual((len(self.organs("caches")), self.organs()), (1, []))
-        self.call(*RUN, XDG_CACHE_HOME="relative")  # which the specification has ignored
+        self.call(*RUN, XDG_CACHE_HOME="relative")  # which has to be ignored
         self.assertEqual(len(self.organs()), 1)
         del self.env["HOME"]
         self.assertIn("XDG_CACHE_HOME", self.call(*RUN, expect=1).stderr)
@@ -169,9 +171,9 @@ class Installed(unittest.TestCase):
         self.call(*run, expect=1, STYLET_DATA=str(self.home))  # the small organ is elsewhere
         self.assertIn(f" {self.home}/organs/", (self.home / "calls").read_text())
 
-    def test_another_scene_runs_nothing(self):
+    def test_a_changed_scene_runs_no_command(self):
         self.stand_in()
-        own = self.home / "fig09-force-curve.toml"  # also not with the phantom of the original
+        own = self.home / "fig09-force-curve.toml"  # not even with the phantom of the original
         shutil.copy(self.prefix / "share/stylet/hal/scenes/fig09-force-curve.toml", own)
         self.assertIn("is made by: ", self.call("run", own, *RUN[2:], expect=1).stderr)
         self.assertFalse((self.home / "calls").exists())
@@ -199,7 +201,7 @@ class Installed(unittest.TestCase):
 
 
 class Pages(unittest.TestCase):
-    """All that is installed, of every component."""
+    """All installed files, of every component."""
 
     def test_link_to_what_is_installed(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -210,10 +212,10 @@ class Pages(unittest.TestCase):
             page = prefix / "share/stylet/README.md"
             links = re.findall(r"\]\((?!\w+:)([^)\s]+\.md)\)", page.read_text())
             self.assertGreater(len(links), 10)
-            (page.parent / links[0]).unlink()  # which has to be noticed
+            (page.parent / links[0]).unlink()  # a missing page must be noticed
             self.assertIn(f": {links[0]}", "\n".join(dead_links(prefix)))
 
-    def test_anchors_are_a_forge_s(self):
+    def test_anchors_are_those_of_a_forge(self):
         with tempfile.TemporaryDirectory() as folder:
             page = pathlib.Path(folder).resolve() / "page.md"
             page.write_text("# Build it: by `make`!\n```\n# none\n```\n[a](#build-it-by-make)\n"

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The Debian packages: what is in them, that lintian accepts them, what they say they are made of,
-that the same sources make the same bytes, and that a clean Debian installs, uses and purges them.
+"""The Debian packages: their contents; lintian accepts them; what they say they are made of; the
+same sources make the same bytes; and a clean Debian installs, uses and purges them.
 
 usage: packages_test.py CASE...    with STYLET_BUILD and STYLET_SOURCE in the environment
 """
@@ -20,7 +20,7 @@ import clean_root
 BUILD = pathlib.Path(os.environ["STYLET_BUILD"])
 SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
 WITH_PROGRAMS = {"libstylet0", "stylet", "stylet-organ", "python3-stylet", "python3-stylet-organ"}
-LONG_AGO = "1700000000"  # 2023-11-14: any time that is not now
+LONG_AGO = "1700000000"  # 2023-11-14: any time but now
 OF_AN_ARRAY = """
 import numpy, stylet_organ
 labels = numpy.ones((9, 9, 9), numpy.uint8)
@@ -38,7 +38,7 @@ def call(*command, **more):
 
 
 def built():
-    """Components whose programs are there; what was not built is not packed."""
+    """Components whose programs were built; others are not packed."""
     parts = {"libraries": "lib/libstylet.so", "development": "hal/libstylet_hal.a",
              "program": "bin/stylet", "organ": "bin/stylet-organ",
              "python": "python/stylet/__init__.py",
@@ -126,7 +126,7 @@ class Contents(Packed):
                              f"libstylet0 (<< {version}), libstylet0 (>> {version})")
 
     def test_module_for_python_keeps_the_library_inside(self):
-        """Else a libstylet.so in the same process could be taken for it, or it for that."""
+        """Otherwise it could be confused with a libstylet.so in the same process."""
         if "python3-stylet" not in self.packages:
             self.skipTest("the Python package is not built")
         folder = self.top / "module"
@@ -135,7 +135,7 @@ class Contents(Packed):
         exported = call("nm", "-D", "--defined-only", module).split()[2::3]
         self.assertEqual(exported, ["PyInit__stylet"])
 
-    def test_programs_tell_no_path_of_the_build(self):
+    def test_programs_contain_no_path_of_the_build(self):
         for package in self.packages:
             call("dpkg-deb", "-x", self.packages[package], self.top / package)
             for path in (self.top / package).rglob("*"):
@@ -157,7 +157,8 @@ class Contents(Packed):
 
 
 class Parts(Packed):
-    """sbom.py against what the loader and the packages themselves say; the same bytes again."""
+    """sbom.py is compared with what the loader and the packages themselves say, and gives the same
+    bytes again."""
 
     def document(self, package):
         folder = self.top / package
@@ -165,7 +166,7 @@ class Parts(Packed):
         return folder, json.loads((folder / "usr/share/doc" / package /
                                    "sbom.spdx.json").read_text())
 
-    def test_hold_what_is_depended_on(self):
+    def test_contain_every_dependency(self):
         for package in sorted(WITH_PROGRAMS & set(self.packages)):
             _, made_of = self.document(package)
             names = {part["SPDXID"]: part["name"] for part in made_of["packages"]}
@@ -173,11 +174,12 @@ class Parts(Packed):
                       if each["relationshipType"] == "DYNAMIC_LINK"}
             needs = call("dpkg-deb", "-f", self.packages[package], "Depends").strip()
             depends = {each.split()[0] for each in needs.split(", ")}
-            # What dpkg-shlibdeps found by symbols; what only scripts need is not linked.
+            # Compared with what dpkg-shlibdeps found by symbols; packages that only scripts need
+            # are not linked.
             scripts = {"passwd", "python3:any", "python3", "python3-numpy", "python3-stylet"}
             self.assertEqual(linked - {"libc6"}, depends - scripts - {"libc6"}, package)
 
-    def test_hold_libraries_without_a_file(self):
+    def test_contain_libraries_without_a_file(self):
         wanted = {"libstylet0": {"libflatbuffers-dev", "libfmt-dev", "libstdc++-12-dev"},
                   "stylet": {"libboost1.74-dev", "libcli11-dev", "libeigen3-dev",
                              "libtomlplusplus-dev", "nlohmann-json3-dev"},
@@ -207,7 +209,7 @@ class Parts(Packed):
 
 
 class Reproducible(unittest.TestCase):
-    """The packages with the library in them, of two builds from nothing, in folders of other
+    """The packages with the library inside, from two builds from nothing in folders with different
     names."""
     PARTS = {"libraries", "development", "doc", "python"}
 
@@ -236,7 +238,7 @@ class Reproducible(unittest.TestCase):
 
 
 class CleanRoot(Packed):
-    """A Debian of its own with nothing but what the packages ask for."""
+    """A minimal Debian with nothing but what the packages ask for."""
 
     def setUp(self):
         if not {"stylet", "stylet-organ", "python3-stylet"} <= set(self.packages):
@@ -248,7 +250,7 @@ class CleanRoot(Packed):
         self.inside, self.install = self.root.inside, self.root.install
 
     def test_two_files_and_ten_lines(self):
-        """What the page of the Python package promises, by its own command and lines."""
+        """What the page of the Python package promises, by the command and lines on that page."""
         page = (SOURCE / "hal/hosts/python/README.md").read_text()
         command, = re.findall(r"`apt install\n?((?: ?\./\S+\.deb)+)`", page)
         lines, = re.findall(r"```python\n(.*?)```", page, re.S)
@@ -261,7 +263,7 @@ class CleanRoot(Packed):
         (self.root.path / "tmp/lines.py").write_text(lines + more)
         ticks, most_n = self.inside("python3", "/tmp/lines.py").split()
         self.assertEqual(int(ticks), 3500)
-        self.assertGreater(float(most_n), 0.7)  # what the capsule of the liver withstands
+        self.assertGreater(float(most_n), 0.7)  # the largest force of the liver's capsule
         picture = (self.root.path / "tmp/force.png").read_bytes()
         self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
         run = ("stylet", "run", "fig09-force-curve", "--fast", "--duration-s", "0.5", "--json")
@@ -299,7 +301,7 @@ class CleanRoot(Packed):
         self.assertIn("benchmark", self.inside("stylet", "bench", "--help"))
 
     def use_python(self):
-        """The package's example, what it says is missing, and an organ of an array."""
+        """The package's example, what it reports as missing, and an organ made from an array."""
         self.root.copy(SOURCE / "hal/hosts/python/examples/insert.py")
         self.inside("stylet-organ", "phantom", "liver", "-o", "/tmp/liver.organ")
         self.assertEqual((self.root.path / "tmp/liver.organ").read_bytes(), (
@@ -324,7 +326,8 @@ class CleanRoot(Packed):
         self.assertEqual(self.inside("bash", "-c", words).splitlines()[-1], "scenes score")
 
     def use_library(self):
-        """By pkg-config and by CMake, in C and C++, shared and static; the state of insert.c."""
+        """Programs built by pkg-config and by CMake, in C and C++, shared and static, have the
+        state of insert.c."""
         self.install("g++", "libc6-dev", "cmake", "make", "pkg-config")
         self.root.copy(SOURCE / "hal/hosts/c/examples", "/tmp/checkout/hal/hosts/c")
         self.root.copy(SOURCE / "hal/examples", "/tmp/checkout/hal")

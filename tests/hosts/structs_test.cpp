@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Callers whose structs are shorter than ours (compiled with an older header) or longer (a newer
-// one): the shorter keep working and nothing is written behind them, the longer work if what we do
-// not know is zero and are refused if not. Each struct is cut at every size from its first field.
+// one): the shorter ones keep working and nothing is written behind them; the longer ones work if
+// all that we do not know is zero, and are refused otherwise. Each struct is cut at every size from
+// its first field.
 #include <gtest/gtest.h>
 #include <stylet/stylet.h>
 
@@ -14,8 +15,8 @@
 
 namespace {
 
-constexpr std::size_t kLeast = 8;  // the size, and what stands beside it
-constexpr std::size_t kStep = 4;   // of numbers, most of which are so large
+constexpr std::size_t kLeast = 8;  // the size, and the field beside it
+constexpr std::size_t kStep = 4;   // size of most fields
 // The input of 0.2.0: size, valid, pose. There was no shorter one, and none has a default pose.
 constexpr std::size_t kFirstInput = 36;
 constexpr std::size_t kBehind = 64;
@@ -56,14 +57,15 @@ struct Wide {
 };
 using Wides = std::vector<Wide>;
 
-// No header had this size: a field begins before and ends behind it, or it is none of a struct.
+// No header had this size: a field begins before it and ends behind it, or it is no size of a
+// struct.
 bool cut_in_two(const Wides& wides, std::size_t bytes) {
   return bytes % kStep != 0 || std::any_of(wides.begin(), wides.end(), [&](const Wide& w) {
            return w.begin < bytes && bytes < w.begin + w.bytes;
          });
 }
 
-// What a call fills, by callers with every size of the struct.
+// A struct that a call fills, for callers with every size of it.
 template <typename T>
 void expect_any_size_is_filled(const Wides& wides, const std::function<stylet_status(T*)>& fill) {
   Room whole(sizeof(T));
@@ -85,7 +87,7 @@ void expect_any_size_is_filled(const Wides& wides, const std::function<stylet_st
   EXPECT_EQ(fill(unset.as<T>()), STYLET_STRUCT_SIZE_UNKNOWN);
 }
 
-// What a call takes: `init` gives the defaults, `use` answers with a hash of what came of it.
+// A struct that a call takes: `init` gives the defaults, `use` returns a hash of the result.
 template <typename T>
 void expect_any_size_is_taken(const Wides& wides,
                               const std::function<stylet_status(T*, std::size_t)>& init,
@@ -116,7 +118,7 @@ void expect_any_size_is_taken(const Wides& wides,
   EXPECT_EQ(use(unset.as<T>(), expected), STYLET_STRUCT_SIZE_UNKNOWN);
 }
 
-// An organ and a simulation with a needle in contact, so that what is filled is not all zero.
+// An organ and a simulation with a needle in contact, so that filled structs are not all zero.
 class Structs : public testing::Test {
  protected:
   Structs() : organ_(organ()) {
@@ -257,8 +259,8 @@ TEST_F(Structs, InputTakenFromAnyCaller) {
             STYLET_STRUCT_SIZE_UNKNOWN);
 }
 
-// The refusal is the caller's, too.
-TEST_F(Structs, RefusalToldToAnyCaller) {
+// The refusal is a struct of the caller's size, too.
+TEST_F(Structs, RefusalGivenToAnyCaller) {
   stylet_needle needle;
   ASSERT_EQ(stylet_needle_init(&needle, sizeof needle), STYLET_OK);
   needle.length_m = -1;
@@ -280,15 +282,15 @@ TEST_F(Structs, RefusalToldToAnyCaller) {
     stylet_status said = 0;
     std::memcpy(&said, room.block.data() + 4, sizeof said);
     if (cut_in_two(wides, bytes)) {
-      EXPECT_EQ(said, kCanary | kCanary << 8U) << bytes;  // left alone
+      EXPECT_EQ(said, kCanary | kCanary << 8U) << bytes;  // left untouched
     } else {
       EXPECT_EQ(said, STYLET_CONFIG_VALUE_OUT_OF_RANGE) << bytes;
     }
   }
 }
 
-// What is held against its limits is told with the name that the caller's struct has for it, and of
-// a vector that it is the length.
+// A value beyond its limits is reported with the name that the caller's struct has for it; for a
+// vector the message says that its length is meant.
 TEST_F(Structs, RefusalsNameVectors) {
   stylet_refusal why = {};
   why.struct_bytes = sizeof why;
@@ -335,7 +337,7 @@ TEST_F(Structs, RefusalsNameVectors) {
   stylet_simulation_free(fresh_one);
 }
 
-// Elements lie as far apart as the caller's struct is long, not as ours.
+// Elements are as far apart as the caller's struct is long, not as ours.
 TEST_F(Structs, ArraysOfAnyCaller) {
   constexpr std::size_t kOld = 12;  // length and radius alone
   std::vector<unsigned char> needles(2 * kOld + kBehind, kCanary);

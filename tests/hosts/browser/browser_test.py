@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The package for npm: built by emscripten, run by node and by Chromium. The bits of the interface
-in C, refusals with fields, any order of lives, memory that grows, types that say what there is.
+"""The package for npm: built by emscripten, run by node and by Chromium. It has the bits of the
+interface in C, refusals name fields, objects end in any order, memory may grow, and its types are
+complete.
 
 usage: browser_test.py SOURCE BUILD_FOLDER EXAMPLE_IN_C STYLET_ORGAN LIBSTYLET
 """
@@ -76,7 +77,7 @@ class Browser(unittest.TestCase):
     def test_what_a_program_relies_on(self):
         self.node("--test", "package.test.mjs")
 
-    def test_version_is_the_library_s(self):
+    def test_version_is_that_of_the_library(self):
         library = ctypes.CDLL(str(LIBRARY))
         library.stylet_version_text.restype = ctypes.c_char_p
         version = library.stylet_version_text().decode()
@@ -85,8 +86,8 @@ class Browser(unittest.TestCase):
                           "console.log((await m.load()).version))")
         self.assertEqual(asked.strip(), version)
 
-    def test_types_name_what_there_is(self):
-        """Every method and property of the classes, and none that is not there."""
+    def test_types_are_complete_and_true(self):
+        """They have every method and property of the classes, and no other."""
         types = (PACKAGE / "index.d.ts").read_text()
         for name in ("Stylet", "Organ", "Simulation"):
             body = re.search(rf"^export class {name} \{{\n(.*?)\n\}}", types, re.S | re.M)[1]
@@ -123,7 +124,7 @@ class Browser(unittest.TestCase):
 
 
     def test_the_demo_in_chromium(self):
-        """Opened from a folder, by a visitor who pushes the needle in and wants the proof."""
+        """A visitor opens it from a folder, pushes the needle in and asks for the proof."""
         modules = SOURCE / "hal/console/page/node_modules"
         if shutil.which("chromium") is None or not (modules / "playwright-core").exists():
             self.skipTest("no chromium, or no npm packages of hal/console/page")
@@ -154,7 +155,7 @@ def missing():
 
 
 def configure():
-    """The build that all of them look at. Without the sources of libraries there is none."""
+    """The build that all of these tests use. Without the sources of libraries there is none."""
     try:
         run("cmake", "-S", BROWSER, "-B", BUILD / "browser", "-G", "Ninja", timeout=600)
     except AssertionError as error:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A visitor of the demo, opened from a folder: pushes the needle in with the mouse, has the proof
-// computed, tries the other scenes. Tells what was seen as JSON.
+// computed, tries the other scenes. Prints what was seen as JSON.
 //
 //   node demo.check.mjs PAGE PLAYWRIGHT CHROMIUM
 const [page_file, playwright, executablePath] = process.argv.slice(2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program relies on: the fields of refusals, lives that end in any order, memory that grows
-// under arrays that were returned, the same state by any way there.
+// What a program relies on: fields of refusals, objects that end in any order, arrays that stay
+// valid while memory grows, the same state by any way to it.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -12,7 +12,7 @@ const organ = stylet.organ(bytes);
 const { low_m, high_m } = organ.info;
 const LENGTH_M = stylet.needle().length_m;
 
-// Numbers that are the same everywhere.
+// Random numbers that are the same everywhere.
 function draws(seed) {
   let state = BigInt(seed) * 0x9E3779B97F4A7C15n + 1n;
   const next = () => {
@@ -57,7 +57,7 @@ test("an organ is what its file holds", () => {
   assert.ok(Math.abs(six / 6 - filled) < 0.01 * filled, `${six / 6} of ${filled}`);
 });
 
-test("what is refused says which field, and what is accepted", () => {
+test("a refusal names the field and what is accepted", () => {
   assert.throws(() => stylet.simulation(organ, { needles: [{}, { length_m: 0.7 }] }), (why) => {
     assert.ok(why instanceof StyletError);
     assert.equal(why.refusal.place, "needle.length_m");
@@ -82,10 +82,10 @@ test("what is refused says which field, and what is accepted", () => {
     why.refusal.status === constants.OBSTACLES_TOO_LATE);
   simulation.free();
   assert.throws(() => simulation.tick([null]), /was freed/);
-  simulation.free(); // twice is once
+  simulation.free(); // a second time does nothing
 });
 
-test("what is no pose, no snapshot or of another library is refused", async () => {
+test("invalid poses, invalid snapshots and those of another library are refused", async () => {
   const simulation = stylet.simulation(organ, { needles: [{}, {}] });
   const poses = way(5, 2, 30);
   simulation.run(poses);
@@ -116,7 +116,7 @@ test("what is no pose, no snapshot or of another library is refused", async () =
   assert.throws(() => other.simulation(organ), TypeError);
   assert.throws(() => other.simulation(other.organ(bytes)).difference(simulation), TypeError);
   simulation.run(poses);
-  simulation.restore(saved.buffer); // as messages between workers bring it
+  simulation.restore(saved.buffer); // as a message between workers brings it
   assert.equal(simulation.hash(), before);
   simulation.free();
 });
@@ -151,7 +151,7 @@ test("by one tick, by many, from a snapshot and in a clone: the same state", () 
   }
 });
 
-test("what was returned stays, whatever memory does", () => {
+test("arrays that were returned stay valid while memory grows", () => {
   const simulation = stylet.simulation(organ);
   simulation.run(way(9, 1, 100));
   const surface = simulation.surface(), before = Float32Array.from(surface);
@@ -169,7 +169,7 @@ test("what was returned stays, whatever memory does", () => {
   simulation.free();
 });
 
-test("lives end in any order", () => {
+test("objects end in any order", () => {
   const own = stylet.organ(bytes);
   const a = stylet.simulation(own), b = a.clone();
   own.free();

@@ -11,7 +11,7 @@
 namespace stylet::test {
 namespace {
 
-TEST(CBatch, IsEachOfItsSimulations) {
+TEST(CBatch, GivesWhatEachSimulationGivesAlone) {
   Draw draw(8);
   for (const std::uint32_t threads : {0U, 1U, 2U, 5U}) {
     const auto opened = block_organ(4, 3, 4);
@@ -47,12 +47,12 @@ TEST(CBatch, IsEachOfItsSimulations) {
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(stylet_simulation_hash(together[i].get()), stylet_simulation_hash(alone[i].get()));
     }
-    together.clear();  // the batch keeps them
+    together.clear();  // the batch keeps the simulations
     ASSERT_EQ(stylet_batch_run(made, inputs.data(), nullptr, kTicks), STYLET_OK);
   }
 }
 
-// Calls so short that threads come late to one and meet the next.
+// Calls are so short that threads come too late for one and meet the next.
 TEST(CBatch, CallsOfOneTickAreThoseOfOneLongCall) {
   const auto opened = block_organ(3, 3, 3);
   const OrganHandle organ = c_organ(*opened);
@@ -91,7 +91,7 @@ TEST(CBatch, CallsOfOneTickAreThoseOfOneLongCall) {
   }
 }
 
-#if !defined(_WIN32) && !defined(__SANITIZE_THREAD__)  // which lets no fork begin threads
+#if !defined(_WIN32) && !defined(__SANITIZE_THREAD__)  // it allows no threads after a fork
 TEST(CBatch, GoesOnInAForkedProcess) {
   const auto opened = block_organ(4, 3, 4);
   const OrganHandle organ = c_organ(*opened);
@@ -118,7 +118,7 @@ TEST(CBatch, GoesOnInAForkedProcess) {
   BatchHandle batch(made);
   const pid_t child = fork();
   if (child == 0) {
-    alarm(60);  // would wait for ever for threads that are not there
+    alarm(60);  // otherwise it would wait for ever for threads that do not exist
     bool same = stylet_batch_run(made, inputs.data(), nullptr, kTicks) == STYLET_OK;
     for (const stylet_simulation* each : all) same &= stylet_simulation_hash(each) == expected;
     batch.reset();
@@ -132,7 +132,7 @@ TEST(CBatch, GoesOnInAForkedProcess) {
 }
 #endif
 
-TEST(CBatch, OfNoneRuns) {
+TEST(CBatch, OfNoSimulationRuns) {
   stylet_batch* made = nullptr;
   ASSERT_EQ(stylet_batch_create(nullptr, 0, 2, &made), STYLET_OK);
   const BatchHandle batch(made);

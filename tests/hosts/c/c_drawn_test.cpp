@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every function of the interface with arguments that are drawn: null, sizes of structs that nobody
-// has, numbers that are not finite, counts out of all bounds, handles of other objects. A call does
-// its work or says why not; what is refused leaves everything as it was, and a sanitizer sees that
-// nothing beyond what was given is touched. Handles that were freed are not among them: to know
-// them is the caller's part.
+// Every function of the interface with random arguments: null, impossible sizes of structs, numbers
+// that are not finite, counts beyond all bounds, handles of other objects. A call does its work or
+// says why not; a refused call leaves everything as it was, and a sanitizer checks that no memory
+// beyond what was given is touched. Handles that were freed are left out: the caller must know
+// them.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -60,8 +60,8 @@ std::uint32_t odd_size(Draw& draw) {
                      4 * draw.below(kOwn / 4), 65'536U, 65'540U, kMost});
 }
 
-// Structs in an array as its first one's size says, in memory of exactly that size. Words behind
-// `first` are other numbers here and there.
+// An array of structs with the size that its first one gives, in memory of exactly that size. Some
+// words behind `first` are replaced by other numbers.
 template <typename T>
 class Rows {
  public:
@@ -84,7 +84,7 @@ class Rows {
   }
   T* get() { return null_ ? nullptr : reinterpret_cast<T*>(bytes_.get()); }
   bool whole() const { return !null_ && size_ == sizeof(T); }
-  // What was to be filled, and was not.
+  // A struct that should have been filled and was not.
   void expect_empty() const {
     if (!whole()) return;
     for (std::size_t i = 0; i < sizeof(T) * count_; ++i) {
@@ -123,7 +123,7 @@ void expect_ok(stylet_status status) {
   EXPECT_EQ(status, STYLET_OK) << stylet_status_name(status);
 }
 
-// A refusal that may be null or of another size; says what the status says.
+// A refusal that may be null or of another size. It must agree with the status.
 class Why {
  public:
   explicit Why(Draw& draw) : rows_(to_fill<stylet_refusal>(draw)) {}
@@ -151,7 +151,7 @@ void write_hand(void* /*self*/, const stylet_command* command) {
   ASSERT_TRUE(std::isfinite(command->force_n.x + command->force_n.y + command->force_n.z));
 }
 
-// Objects of all kinds, a loop that has ended, and what it has.
+// Objects of all kinds, and a loop that has ended with what belongs to it.
 struct World {
   explicit World(std::uint64_t seed) : draw(seed), hand(seed + 1) {
     organs = {nullptr, c_organ(*block_organ(4, 4, 4)).release(),
@@ -200,7 +200,7 @@ struct World {
   std::uint64_t hash() const {
     return stylet_simulation_hash(simulations[0]) ^ 3 * stylet_simulation_hash(simulations[1]);
   }
-  // Of a call that gives a status and may change a simulation.
+  // Judges a call that returns a status and may change a simulation.
   template <typename Call>
   stylet_status unless_refused(const Call& call) {
     const std::uint64_t before = hash();
@@ -211,7 +211,7 @@ struct World {
     }
     return status;
   }
-  // Of an array of the caller's: as many as it tells, or none.
+  // Judges an array of the caller: as many elements are filled as the call says, or none.
   template <typename T, typename Ask>
   void copy(const Ask& ask) {
     const std::uint32_t all = ask(static_cast<T*>(nullptr), 0U);
@@ -310,7 +310,8 @@ void add_what_organs_tell(Calls& calls) {
   };
 }
 
-// Configuration, needles: what creation and the question for its memory take.
+// Configuration and needles: the arguments of creation, and of the question how much memory it
+// needs.
 struct Wanted {
   explicit Wanted(Draw& draw)
       : config(draw, 1, defaults<stylet_config, stylet_config_init>()),
@@ -600,7 +601,7 @@ void add_guards(Calls& calls) {
            static_cast<double>(guard_defaults().max_force_n));
   };
   calls["stylet_guard_torque"] = [within](World& w) {
-    within(stylet_guard_torque(w.guard(), odd_vector(w.draw)), 0);  // a guard's own default
+    within(stylet_guard_torque(w.guard(), odd_vector(w.draw)), 0);  // the guard's own default
   };
   calls["stylet_guard_end"] = [](World& w) {
     if (w.draw.chance(0.1)) (void)stylet_guard_end(w.guard(), odd_time(w.draw));
@@ -655,7 +656,7 @@ void add_devices(Calls& calls) {
   };
 }
 
-// A loop of its own, which takes devices of all kinds, and runs for some ticks if it may.
+// A new loop with devices of all kinds, which runs for some ticks if it is accepted.
 void live(World& w) {
   stylet_simulation* const of = w.any(w.simulations);
   stylet_loop_config like = defaults<stylet_loop_config, stylet_loop_config_init>();
@@ -691,7 +692,7 @@ void live(World& w) {
     EXPECT_NE(stylet_simulation_hash(of), 0U);
   }
   for (stylet_device* each : devices) {
-    // The loop has closed those that it took.
+    // The loop has closed the devices that it took.
     if (status != STYLET_OK ||
         std::find(given.begin(), given.begin() + stylet_simulation_needles(of), each) ==
             given.begin() + stylet_simulation_needles(of)) {
@@ -784,7 +785,7 @@ Calls all_calls() {
   return calls;
 }
 
-TEST(DrawnCalls, AreOfAllFunctions) {
+TEST(DrawnCalls, CoverAllFunctions) {
   std::set<std::string> listed, here;
   std::ifstream file(STYLET_SYMBOLS);
   for (std::string line; std::getline(file, line);) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation of the C interface asks nothing of the heap once it is made.
+// A simulation of the C interface does not use the heap after its creation.
 #include "allocation_trap.h"
 #include "c_support.h"
 
@@ -25,7 +25,7 @@ TEST(CSimulation, TicksDoNotAllocate) {
   arm_allocation_trap();
   stylet_simulation* copy = nullptr;
   (void)stylet_simulation_clone(simulation.get(), &copy);
-  EXPECT_GT(disarm_allocation_trap(), 0U);  // it sees what the library asks for
+  EXPECT_GT(disarm_allocation_trap(), 0U);  // the trap sees requests of the library
   stylet_simulation_free(copy);
   arm_allocation_trap();
   for (const auto& each : inputs) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guard, devices and loop of the C interface against hal's own: the same forces, bit for bit; what
-// is wrong is told; what is held is closed once, without force.
+// Guard, devices and loop of the C interface against hal's own: the same forces, bit for bit;
+// mistakes are reported; devices that a loop holds are closed once, without force.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -30,7 +30,7 @@ GuardHandle c_guard(const stylet_guard_config& config) {
 }
 
 // Sessions with silence, jumps, numbers that are not finite, forces that are too large, late ticks.
-TEST(CGuard, DrawnSessionsAreThoseOfTheGuard) {
+TEST(CGuard, RandomSessionsAreThoseOfHalsGuard) {
   Draw draw(31);
   for (int session = 0; session < 40; ++session) {
     GuardConfig config;
@@ -95,7 +95,7 @@ TEST(CGuard, DrawnSessionsAreThoseOfTheGuard) {
   }
 }
 
-TEST(CGuard, EveryLimitIsHeldAndTold) {
+TEST(CGuard, EveryLimitIsCheckedAndReported) {
   struct Outside {
     const char* field;
     float stylet_guard_config::*of;
@@ -130,8 +130,8 @@ float force_left(const stylet_guard* guard) {
   return report.force_n.z;
 }
 
-// The force at the end of a run falls straight to zero in 20 ms of the caller's clock, however
-// often it is asked; a clock that jumps, stands or goes back ends it as well.
+// The force at the end of a run falls linearly to zero in 20 ms of the caller's clock, however
+// often the guard is called; it also ends with a clock that jumps, stands still or runs backwards.
 TEST(CGuard, EndFollowsTheClockAndComesInAnyCase) {
   Draw draw(31);
   stylet_guard_config config;
@@ -161,14 +161,14 @@ TEST(CGuard, EndFollowsTheClockAndComesInAnyCase) {
       now_ns += 1 + static_cast<std::int64_t>(draw.between(0, longest_ns));
       ended = stylet_guard_end(guard.get(), now_ns);
       const auto passed_ns = static_cast<float>(now_ns - begin_ns);
-      if (ended == 0) {  // on its way to zero at the last whole period of the fade
+      if (ended == 0) {  // falls to zero at the fade's last whole period
         const float left_n = force_left(guard.get()), close_n = begin_n * 1e-4F;
         EXPECT_LE(left_n, begin_n * (1 - passed_ns / kFadeNs) + close_n);
         EXPECT_GE(left_n, begin_n * (1 - passed_ns / (kFadeNs - kPeriodNs)) - close_n);
       }
     }
     EXPECT_EQ(force_left(guard.get()), 0);
-    EXPECT_GE(now_ns - begin_ns, kFadeNs - kPeriodNs);  // the last period is not begun
+    EXPECT_GE(now_ns - begin_ns, kFadeNs - kPeriodNs);  // the last period need not begin
   }
   const std::int64_t most = std::numeric_limits<std::int64_t>::max();
   for (const std::int64_t other : {std::int64_t{0}, kBegin, -most - 1, most}) {
@@ -199,7 +199,7 @@ TEST(CGuard, KnowsTheModels) {
   EXPECT_EQ(stylet_guard_config_for(&config, "a broomstick"), STYLET_ARGUMENT_OUT_OF_RANGE);
 }
 
-// A hand of the test's own behind the callbacks, the same as hal's simulated hand.
+// A device of the test behind the callbacks: hal's simulated hand.
 struct OwnHand {
   SimulatedHand hand;
   Device device;
@@ -280,7 +280,7 @@ struct Bench {
     loop_config.ticks = 1300;
   }
 
-  // Runs on the machine's clock until it is stopped.
+  // Runs in real time until it is stopped.
   void in_real_time() {
     loop_config.virtual_time = 0;
     loop_config.priority = 0;
@@ -348,7 +348,7 @@ TEST(CLoop, SendsWhatHalsLoopSends) {
     most = std::max(most, expected[i].z);
   }
   EXPECT_GT(most, 0.1F);  // the tissue was felt
-  // Seen from outside: the last tick, its surface, what happened.
+  // Seen from outside: the last tick, its surface, its events.
   EXPECT_EQ(stylet_loop_take(made), 1);
   stylet_output out = {};
   out.struct_bytes = sizeof out;
@@ -367,8 +367,7 @@ TEST(CLoop, SendsWhatHalsLoopSends) {
   EXPECT_EQ(report.ticks, bench.loop_config.ticks);
   EXPECT_EQ(report.runs, 0U);
 
-  // While the loop is there, nothing else ticks the simulation; afterwards it is as the loop left
-  // it.
+  // While the loop exists nothing else ticks the simulation; afterwards it is as the loop left it.
   EXPECT_EQ(stylet_simulation_reset(bench.simulation.get()), STYLET_LOOP_RUNS);
   const std::size_t before = own.sent.size();
   loop.reset();
@@ -408,8 +407,8 @@ TEST(CLoop, RunsInItsOwnThreadUntilItIsStopped) {
   EXPECT_GE(report.ticks, 100U);
 }
 
-// A device that goes silent: the fault is told, and acknowledged by its number.
-TEST(CLoop, TellsAFaultAndTakesItsAcknowledgement) {
+// A device goes silent: the fault is reported, and acknowledged by its number.
+TEST(CLoop, ReportsAFaultAndTakesItsAcknowledgement) {
   struct Silent {
     std::uint64_t seq = 0;
     bool silent = false;
@@ -482,7 +481,7 @@ TEST(CLoop, RefusesWhatCannotRun) {
   EXPECT_STREQ(why.place, "loop.helpers");
   EXPECT_EQ(made, nullptr);
   bench.loop_config.helpers = 0;
-  // One device in two loops, or closed under one that has it.
+  // A device in two loops, or closed while a loop has it.
   ASSERT_EQ(create(), STYLET_OK) << why.text;
   const LoopHandle first(made);
   Bench other;
@@ -495,8 +494,8 @@ TEST(CLoop, RefusesWhatCannotRun) {
   EXPECT_EQ(stylet_simulation_reset(other.simulation.get()), STYLET_OK);
 }
 
-// Devices that do not answer at first, or never: the needle waits far from the hand, which must not
-// be pulled there.
+// Devices that do not answer at first, or never: the needle waits far from the hand, and must not
+// pull it there.
 TEST(CLoop, ADeviceThatHasNotAnsweredFeelsNothing) {
   struct Late {
     int reads = 0, answers_from = 0;
@@ -556,9 +555,8 @@ TEST(CGuard, LetsNothingThroughBeforeASampleNorTwiceForOne) {
   }
 }
 
-// A caller whose device no longer answers, and who does not ask it, is rid of the force all the
-// same.
-TEST(CGuard, WhatIsTrippedFadesWithoutASample) {
+// If a device no longer answers and the caller does not ask it, the force ends all the same.
+TEST(CGuard, AForceFadesAfterATripEvenWithoutSamples) {
   stylet_guard_config config;
   ASSERT_EQ(stylet_guard_config_init(&config, sizeof config), STYLET_OK);
   config.ramp_s = 0;
@@ -619,12 +617,13 @@ TEST(CLoop, MayBeFreedWhileItRuns) {
   }
 }
 
-// Paused by the device itself once it feels something, so in virtual time: a millisecond a write.
+// The device itself pauses the loop once it feels something. Time is virtual: one millisecond for
+// each write.
 TEST(CLoop, PausedItsForceFades) {
   struct Pausing {
     OwnHand hand;
     stylet_loop* loop = nullptr;
-    std::vector<float> after_n;  // of the pause
+    std::vector<float> after_n;  // forces during the pause
     bool paused = false;
   } self;
   start_own(self.hand);
@@ -654,7 +653,7 @@ TEST(CLoop, PausedItsForceFades) {
   for (std::size_t i = 21; i < self.after_n.size(); ++i) EXPECT_EQ(self.after_n[i], 0) << i;
 }
 
-TEST(CLoop, WhatItRefusesStaysTheCallers) {
+TEST(CLoop, ARefusedDeviceStaysTheCallers) {
   Bench bench;
   OwnHand own;
   start_own(own);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Organs and simulations of the C interface: each function gives what its C++ counterpart gives,
-// bit for bit; what is wrong is told with field and limits; structs of other sizes do no harm.
+// bit for bit; mistakes are reported with field and limits; structs of other sizes do no harm.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -58,7 +58,7 @@ void expect_same_output(const stylet_output& c, const Output& cpp) {
   expect_same_bytes(c.stiffness_n_per_m, cpp.stiffness_n_per_m);
 }
 
-// What both sides show between two ticks.
+// Compares what both sides show between two ticks.
 void expect_same_view(const stylet_simulation* c, const Kernel& cpp, const Organ& organ,
                       std::uint32_t needles) {
   EXPECT_EQ(stylet_simulation_hash(c), hash(cpp));
@@ -111,7 +111,7 @@ void expect_same_view(const stylet_simulation* c, const Kernel& cpp, const Organ
   expect_same_bytes(stats_c.unit_in_voxels, s.unit_in_voxels);
 }
 
-TEST(CSimulation, DrawnSessionsAreThoseOfCpp) {
+TEST(CSimulation, RandomSessionsAreThoseOfCpp) {
   Draw draw(20261);
   for (int session = 0; session < 8; ++session) {
     const auto opened = block_organ(5, 4, 5);
@@ -143,7 +143,7 @@ TEST(CSimulation, DrawnSessionsAreThoseOfCpp) {
   }
 }
 
-TEST(COrgan, ShowsWhatTheOrganHolds) {
+TEST(COrgan, ShowsWhatTheOrganContains) {
   const auto opened = block_organ(4, 3, 2);
   const OrganHandle organ = c_organ(*opened);
   stylet_organ_info info = {};
@@ -234,7 +234,7 @@ struct Outside {
   double value, least, most;
 };
 
-TEST(CSimulation, AValueOutsideIsToldWithFieldAndLimits) {
+TEST(CSimulation, AValueOutsideIsReportedWithFieldAndLimits) {
   const Outside outside[] = {
       {"mode", [](stylet_config& c, stylet_needle&) { c.mode = 2; }, 2, 0, 1},
       {"period_s", [](stylet_config& c, stylet_needle&) { c.period_s = 0.02F; }, 0.02, 1e-5, 1e-2},
@@ -282,7 +282,7 @@ TEST(CSimulation, AValueOutsideIsToldWithFieldAndLimits) {
   }
 }
 
-TEST(CSimulation, ObstaclesOutsideAreToldAndChangeNothing) {
+TEST(CSimulation, ObstaclesOutsideAreReportedAndChangeNothing) {
   const auto opened = block_organ(3, 3, 3);
   const OrganHandle organ = c_organ(*opened);
   Draw draw(3);
@@ -313,7 +313,7 @@ TEST(CSimulation, ObstaclesOutsideAreToldAndChangeNothing) {
             STYLET_OBSTACLES_TOO_LATE);
 }
 
-// Memory of the caller's at any address; the same bits as in the library's own.
+// In memory of the caller at any address the bits are the same as in the library's own.
 TEST(CSimulation, LivesInMemoryOfTheCaller) {
   const auto opened = block_organ(3, 3, 3);
   const OrganHandle organ = c_organ(*opened);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles of the C interface that end with their scope, and drawn sessions for them.
+// Handles of the C interface that are freed with their scope, and random sessions for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ inline stylet_input to_c(const Input& input) {
   return {sizeof(stylet_input), input.valid, {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}}};
 }
 
-// Needles side by side, each as the script of one.
+// Needles side by side, each with the script of a single one.
 inline std::vector<Input> inputs_at(const Organ& organ, const Config& config, std::uint64_t tick) {
   std::vector<Input> out;
   for (std::uint32_t i = 0; i < config.needle_count; ++i) {

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The examples of a hand run, and are short: a force comes, and at the end goes.
+"""The examples of a hand run and are short: there is a force, and at the end it is gone.
 
 usage: examples_test.py GUARD LOOP ORGAN_MAKER      the programs of guard.c and loop.c
 """
@@ -26,7 +26,7 @@ class Examples(unittest.TestCase):
         output(ORGAN_MAKER, "phantom", "liver", "--voxel-mm", 10, "-o", cls.organ)
 
     def forces_n(self, program):
-        """Of a run in which this machine was on time; a guard sees when it was not."""
+        """Output of a run in which this machine was on time; a guard notices when it was not."""
         for _ in range(5):
             said = output(program, self.organ)
             if "too many missed ticks" not in said:

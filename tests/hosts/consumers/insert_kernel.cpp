@@ -16,8 +16,8 @@ std::span<std::byte> block(std::size_t bytes) {
   return {static_cast<std::byte*>(::operator new(bytes, alignment)), bytes};  // until the end
 }
 
-// A place in whole 2^-17 m, 7.6 um, lowered by so many: exact in float, so that this program moves
-// the needle in the same way however its own arithmetic is compiled.
+// A height rounded to whole 2^-17 m (7.6 um) and lowered by so many: exact in float, so that this
+// program moves the needle in the same way however its own arithmetic is compiled.
 float on_grid(float place_m, int lowered) {
   constexpr float kPerM = 131072;
   return static_cast<float>(static_cast<int>(place_m * kPerM) - lowered) / kPerM;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every constructor, method and static function of the C# package with arguments that are drawn:
-// null, empty and short arrays, structs of zeros and of odd numbers, numbers that are not finite.
-// Found by reflection, so that a later one is met too. The library never ends the process.
+// Every constructor, method and static function of the C# package with random arguments: null,
+// empty and short arrays, structs of zeros and of odd numbers, numbers that are not finite. They
+// are found by reflection, so that later ones are tested too. The library never ends the process.
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -64,7 +64,7 @@ public sealed class Drawn {
     return type.IsByRef ? Value(type.GetElementType()) : Struct(type);
   }
 
-  // A call that neither gives nor says anything has a silent refusal.
+  // A call that neither returns nor throws anything has refused silently.
   void Call(string name, MethodBase method, object of) {
     object[] given = method.GetParameters().Select(each => Value(each.ParameterType)).ToArray();
     called.Add(name);

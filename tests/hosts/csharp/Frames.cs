@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What csharp_test.py asks of the C# package, one question a name. Prints what it found.
+// What csharp_test.py asks of the C# package, one question for each name. Prints what it found.
 using System;
 using Stylet;
 
@@ -23,7 +23,7 @@ public static class Frames {
     return 0;
   }
 
-  // On a slanted way through the middle of the skin, which the tip meets 1 mm from its start.
+  // A slanted way through the middle of the skin, which the tip meets after 1 mm.
   internal static Pose At(Organ organ, int tick) {
     Vec3 low = organ.Info.low_m, high = organ.Info.high_m;
     var way = new Vec3(0.0995037F, 0, -0.9950372F);
@@ -43,7 +43,7 @@ public static class Frames {
     simulation.TakeEvents();
   }
 
-  // Bytes that 1000 frames ask of the collector, after some that warm up.
+  // Bytes that 1000 frames allocate, after some that warm up.
   static void Allocation(Organ organ) {
     using (var simulation = new Simulation(organ, Simulation.DefaultConfig())) {
       for (int i = 0; i < 100; ++i) Step(organ, simulation, i);
@@ -83,7 +83,7 @@ public static class Frames {
     }
   }
 
-  // Organs that nobody holds any more, while the collector runs and moves what it can.
+  // Organs to which there is no reference any more, while the collector runs and moves what it can.
   static void Life(Organ organ, byte[] bytes) {
     ulong first = 0;
     bool same = true;
@@ -98,7 +98,7 @@ public static class Frames {
       }
       if (round == 0) first = simulation.Hash();
       same = same && simulation.Hash() == first;
-      if (round % 2 == 0) simulation.Dispose();  // else the collector does
+      if (round % 2 == 0) simulation.Dispose();  // otherwise the collector does it
     }
     GC.Collect();
     GC.WaitForPendingFinalizers();

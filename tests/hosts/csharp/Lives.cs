@@ -7,8 +7,8 @@ using System.Threading;
 using Stylet;
 
 public static class Lives {
-  // The last use of each object is a call that is under way while another thread collects, and ends
-  // what nobody holds. The answers are those of an object that is held.
+  // The last use of each object is a call during which another thread collects garbage. The answers
+  // are those of an object that is still referenced.
   public static void UnderTheCollector(Organ organ) {
     byte[] saved;
     ulong expected;
@@ -45,8 +45,8 @@ public static class Lives {
     return simulation.Hash();
   }
 
-  // One thread ticks until another has disposed of the simulation; likewise one waits for the end
-  // of a loop that would go on for ever.
+  // One thread ticks until another has disposed of the simulation; in the same way one waits for
+  // the end of a loop that would go on for ever.
   public static void DisposedInACall(Organ organ) {
     bool same = true;
     for (int round = 0; round < 100; ++round) {
@@ -103,7 +103,7 @@ public static class Lives {
     }
   }
 
-  // Functions of the library that take one of its objects as a bare pointer, by name.
+  // Names of functions of the library that take one of its objects as a bare pointer.
   public static void Handles() {
     var names = new List<string>();
     Type native = typeof(Organ).Assembly.GetType("Stylet.Native");

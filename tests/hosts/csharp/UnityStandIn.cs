@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// As much of UnityEngine as the package's sample and UnityFrame.cs name, so that they are compiled:
-// the signatures of Unity 2020.3's scripting reference, and nothing behind them.
+// The part of UnityEngine that the package's sample and UnityFrame.cs use, so that they can be
+// compiled: signatures of Unity 2020.3's scripting reference, without any code behind them.
 namespace UnityEngine {
 
 public struct Vector3 {

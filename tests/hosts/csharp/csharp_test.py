@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The C# package under mono: the same bits as from C, no allocation a frame, refusals with fields,
-organs and simulations in any order of life, the library's own loop.
+"""The C# package under mono: the same bits as from C, no allocation in a frame, refusals that name
+fields, organs and simulations that end in any order, the library's own loop.
 
 usage: csharp_test.py LIBRARY_FOLDER EXAMPLE_IN_C STYLET_ORGAN
 """
@@ -63,7 +63,8 @@ class CSharp(unittest.TestCase):
         self.assertLessEqual(len(lines), 60)
 
     def test_unitys_sample_compiles(self):
-        """Against a stand-in of Unity's types, in the C# and with the rights of its asmdef."""
+        """Against a stand-in of Unity's types, in the version of C# and with the rights that its
+        asmdef gives."""
         runtime = PACKAGE / "Runtime"
         self.assertTrue(json.loads((runtime / "Stylet.Needle.asmdef").read_text())
                         ["allowUnsafeCode"])
@@ -74,13 +75,14 @@ class CSharp(unittest.TestCase):
         subprocess.run([*own, HERE / "UnityStandIn.cs", f"-out:{stand_in}"], check=True)
         subprocess.run([*own, "-unsafe", *sorted(runtime.glob("*.cs")), f"-r:{stand_in}",
                         f"-out:{library}"], check=True)
-        # A sample is in the project's own assembly, without that right. Unity sets its fields.
+        # A sample is part of the project's own assembly, which may not use unsafe code. Unity sets
+        # its fields.
         subprocess.run([*own, "-nowarn:649", PACKAGE / "Samples~/Insert/Insert.cs",
                         f"-r:{stand_in}", f"-r:{library}", f"-out:{library.with_name('s.dll')}"],
                        check=True)
 
     def test_a_frame_allocates_nothing(self):
-        # Mono counts in blocks that it hands to a thread: one block may be what the console took.
+        # Mono counts blocks that it gives to a thread: the console may have taken one of them.
         grown, collections = map(int, self.ask("allocation")[0].split())
         self.assertEqual(collections, 0)
         self.assertLessEqual(grown, 8192)
@@ -93,22 +95,22 @@ class CSharp(unittest.TestCase):
     def test_snapshots(self):
         self.assertEqual(self.ask("snapshot"), ["True True"])
 
-    def test_lives_end_in_any_order(self):
+    def test_objects_end_in_any_order(self):
         self.assertEqual(self.ask("life"), ["True"])
 
     def test_the_collector_frees_nothing_that_a_call_is_in(self):
         self.assertEqual(self.ask("collector"), ["True"])
 
-    def test_nor_does_another_thread(self):
+    def test_another_thread_frees_nothing_that_a_call_is_in(self):
         same, ended = self.ask("disposal")
         self.assertEqual(same, "True")
         self.assertEqual(ended, "True")
 
-    def test_what_is_closed_says_so(self):
+    def test_closed_objects_say_so(self):
         self.assertEqual(self.ask("closed"), 3 * ["ObjectDisposedException"])
 
-    def test_handles_are_counted_in_every_call(self):
-        """Of all functions only those that free take a bare pointer; a new one is met here."""
+    def test_every_call_holds_the_objects_it_uses(self):
+        """Only functions that free take a bare pointer; new functions are found by reflection."""
         self.assertEqual(self.ask("handles"), ["stylet_device_close", "stylet_loop_free",
                                                "stylet_organ_free", "stylet_simulation_free"])
 
@@ -117,7 +119,7 @@ class CSharp(unittest.TestCase):
         self.assertGreater(int(called), 30)
         self.assertEqual(silent, "")
 
-    def test_the_librarys_loop(self):
+    def test_a_loop_of_the_library(self):
         first, second, state = self.ask("loop")
         self.assertEqual(first, "True 1500 none True")
         happened, depth_m, nodes = second.split()

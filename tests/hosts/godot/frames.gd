@@ -27,13 +27,13 @@ func _init():
 	quit()
 
 
-# In a function of its own, as in insert.gd: a loop would keep the array of the last round, and a
-# second holder makes Godot copy it.
+# In a function of its own, as in insert.gd: a loop would keep the array of its last round, and
+# Godot copies an array that has a second reference.
 func draw(stylet, mesh):
 	VisualServer.mesh_surface_update_region(mesh.get_rid(), 0, 0, stylet.surface())
 
 
-# Godot draws the side from which a triangle turns clockwise.
+# Godot draws the side from which the corners of a triangle go clockwise.
 func outward(mesh):
 	var arrays = mesh.surface_get_arrays(0)
 	var places = arrays[Mesh.ARRAY_VERTEX]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The project for Godot, run by Debian's engine without a window: the bits of the interface in C in
-every frame, Godot's own layout of a surface, refusals in words.
+"""The project for Godot, run by Debian's engine without a window: it has the bits of the interface
+in C in every frame, and Godot's own layout of a surface; refusals are explained in words.
 
 usage: godot_test.py SOURCE BUILD_FOLDER FOLDER_OF_LIBSTYLET STYLET_ORGAN
 """
@@ -56,7 +56,8 @@ class Godot(unittest.TestCase):
         return self.godot("-s", "res://frames.gd", FRAMES=str(count), **env)
 
     def test_frames_ask_for_no_memory_as_large_as_a_surface(self):
-        """The surface has 50 kB. Held by a loop of the script, it is copied in every frame."""
+        """The surface has 50 kB. If a loop of the script held it, it would be copied in every
+        frame."""
         counts = [re.search(r"^large blocks (\d+)$", self.frames(
             count, LD_PRELOAD=str(self.top / "large_blocks.so")), re.M)[1] for count in (200, 1500)]
         self.assertGreater(int(counts[0]), 0)
@@ -86,7 +87,7 @@ class Godot(unittest.TestCase):
                      "box True True", "ray True -1", "needle 9 phase 2 pushed back True",
                      "reset True []"):
             self.assertRegex(said, "(?m)^" + re.escape(line) + "$")
-        # The phantom's own volume, of which stylet-organ says 1111.67 ml.
+        # The phantom's volume, which is 1111.67 ml according to stylet-organ.
         self.assertIn("volume 1111.7 ml", said)
 
     def test_refusals_say_what_was_expected(self):

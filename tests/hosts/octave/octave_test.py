@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The MEX function under Octave: the same bits as from C; wrong arguments and freed handles are
-errors with what was expected.
+errors that say what was expected.
 
 usage: octave_test.py LIBRARY_FOLDER EXAMPLE_IN_C STYLET_ORGAN
 """
@@ -21,7 +21,8 @@ HERE = ROOT / "hal/hosts/matlab"
 
 
 def defaults(name):
-    """Of a struct whose fields are numbers of four bytes, by the library itself."""
+    """Default values of a struct whose fields are numbers of four bytes, from the library
+    itself."""
     library = ctypes.CDLL(str(pathlib.Path(LIBRARY) / "libstylet.so"))
     header = (ROOT / "hal/hosts/c/include/stylet/stylet.h").read_text()
     body, = re.findall(r"typedef struct \{([^{}]*)\} stylet_" + name + ";", header)
@@ -81,7 +82,8 @@ class Octave(unittest.TestCase):
         self.assertIn("puncture", said)
 
     def test_state_is_that_of_the_example_in_c(self):
-        # Places as floats, as the example in C has them: products of doubles round otherwise.
+        # Positions as floats, as the example in C has them, because products of doubles are rounded
+        # differently.
         in_c = subprocess.run([EXAMPLE_IN_C, self.organ], check=True, capture_output=True,
                               text=True).stdout
         code, said, error = self.octave(f"""
@@ -109,7 +111,8 @@ class Octave(unittest.TestCase):
         self.assertGreater(last, 100)
 
     def test_every_field_of_the_header_can_be_given(self):
-        """Of needle and configuration, at its default: the state stays that of none given."""
+        """Every field of needle and configuration is given with its default: the state is that
+        without any field."""
         texts = [", ".join(f"'{field}', {value!r}" for field, value in defaults(name).items())
                  for name in ("needle", "config")]
         code, said, error = self.octave(f"""

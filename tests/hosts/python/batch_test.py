@@ -50,13 +50,14 @@ class Batch(unittest.TestCase):
             stylet.VectorSimulation([one]).run(np.zeros((2, 5, 7)))
 
     def test_forked_processes_go_on(self):
-        """Workers of multiprocessing and of data loaders are forks, without the threads."""
+        """Workers of multiprocessing and of data loaders are forked processes, which do not have
+        the threads."""
         poses = np.stack([insertion(200, at) for at in offsets(4)])
         vector = stylet.VectorSimulation([simulation() for _ in range(4)], 2)
         vector.run(poses[:, :100])
         child = os.fork()
         if child == 0:
-            signal.alarm(60)  # would wait for ever
+            signal.alarm(60)  # ends a process that would wait for ever
             outputs = vector.run(poses[:, 100:])
             same = [each.hash() for each in vector.simulations]
             del vector
@@ -66,9 +67,9 @@ class Batch(unittest.TestCase):
                 each.run(its)
             os._exit(0 if same == [each.hash() for each in expected] and len(outputs) == 4 else 1)
         self.assertEqual(os.waitpid(child, 0)[1], 0)
-        vector.run(poses[:, 100:])  # as if nothing had been
+        vector.run(poses[:, 100:])  # as if there had been no fork
 
-    def test_simulations_outlive_their_names(self):
+    def test_simulations_stay_alive_in_the_batch(self):
         vector = stylet.VectorSimulation([simulation() for _ in range(3)])
         batch = vector._batch
         del vector

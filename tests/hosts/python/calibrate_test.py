@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A tissue is found again from the force on a needle: the example, and curves that were simulated
-with drawn numbers and noise.
+"""A tissue's numbers are found again from the force on a needle: in the example, and from curves
+that were simulated with random numbers and noise.
 
-The numbers are drawn where an insertion shows them all: tissue that holds a needle of its stiffness
-until it gives way before the end, with more force than the needle needs afterwards. Expected
-values: the numbers that were drawn; the binomial distribution.
+The random numbers are those that an insertion can show: the tissue's surface breaks before the end,
+at a force larger than the needle needs afterwards. Expected values: the random numbers themselves;
+the binomial distribution.
 
 usage: calibrate_test.py Once|Often|Example
 """
@@ -23,7 +23,7 @@ sys.path.insert(0, str(SOURCE / "offline/python/examples"))
 import calibrate  # noqa: E402
 
 SIGMA_N = 0.02
-SPEED_M_PER_S = 0.02  # so that a curve takes a seventh of the example's time
+SPEED_M_PER_S = 0.02  # a curve takes a seventh of the example's time
 
 
 def curves(points):
@@ -31,7 +31,7 @@ def curves(points):
 
 
 def recovered(seed):
-    """What was drawn, and the fit of its curve with noise."""
+    """The random numbers, and the fit of their curve with noise."""
     drawn = stylet.draw({"youngs_modulus_pa": stylet.LogUniform(8e4, 2e5),
                          "puncture_force_n": stylet.Uniform(0.7, 1.2),
                          "friction_n_per_m": stylet.Uniform(8, 25)}, 1, seed)
@@ -53,9 +53,9 @@ class Once(unittest.TestCase):
 
 
 class Often(unittest.TestCase):
-    def test_intervals_hold_as_often_as_they_say(self):
-        """Of 20 right intervals of 95 %, 5 or more miss 3 times in a thousand; of all 60, were they
-        independent, 9 or more 3 times in a thousand."""
+    def test_intervals_contain_the_truth_as_often_as_they_say(self):
+        """Of 20 correct intervals of 95 %, 5 or more miss with a probability of 0.3 %; so do 9 or
+        more of all 60, if these were independent."""
         misses = dict.fromkeys(calibrate.RANGES, 0)
         for seed in range(100, 120):
             truth, found = recovered(seed)
@@ -67,9 +67,9 @@ class Often(unittest.TestCase):
 
 class Example(unittest.TestCase):
     def test_published_curve(self):
-        """Nobody knows this tissue's numbers; what the curve itself says: it breaks at its peak,
-        1.21 N on average over the last millimetre before, and rises afterwards by 0.23 N in 5 mm,
-        which is friction's at most."""
+        """Nobody knows this tissue's numbers, but the curve itself says: the surface breaks at the
+        peak, 1.21 N on average over the last millimetre before it; and afterwards the force rises
+        by 0.23 N in 5 mm, which is an upper bound for friction."""
         with tempfile.TemporaryDirectory() as top:
             picture = os.path.join(top, "curve.png")
             said = subprocess.run([SOURCE / "offline/python/examples/calibrate.py", picture],

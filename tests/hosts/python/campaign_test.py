@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Campaigns: many insertions with drawn parameters in one table, on processes, on Dask, and on Dask
-under a Slurm that the test starts; killed half-way and resumed without doing any row twice.
+"""Campaigns: many insertions with random parameters in one table, on processes, on Dask, and on
+Dask under a Slurm that the test starts; killed half-way and resumed, no row is run twice.
 
 Expected values: the same rows, run here one by one; marks that each row leaves as it is run.
 
@@ -27,7 +27,7 @@ sys.path[:0] = [str(SOURCE / "hal/hosts/python/examples"), str(SOURCE / "tests/o
 import campaign  # noqa: E402
 import one_node_slurm  # noqa: E402
 
-unit_of = sys.modules["stylet.sweep"].unit_of  # the package has its function by that name
+unit_of = sys.modules["stylet.sweep"].unit_of  # stylet.sweep is also the name of a function
 
 HERE = pathlib.Path(__file__).resolve()
 EXAMPLE = SOURCE / "hal/hosts/python/examples/campaign.py"
@@ -72,7 +72,7 @@ class Case(unittest.TestCase):
             return file["rows/done"][:]
 
     def wait_for(self, least, work=None):
-        """Until so many rows are in the file; returns which."""
+        """Waits until so many rows are in the file; returns which."""
         end = time.monotonic() + 300
         while time.monotonic() < end:
             done = self.done()
@@ -102,8 +102,8 @@ class Case(unittest.TestCase):
         return subprocess.Popen([sys.executable, script], start_new_session=True, **more)
 
     def check(self, count, table, before):
-        """All rows are there; of those that were there `before`, none was run again; some, run
-        here, are the same."""
+        """All rows are there; none of those that were there `before` was run again; some that are
+        run here are the same."""
         self.assertEqual(set(table["error"]), {""})
         times = self.times_run(count)
         np.testing.assert_array_equal(times[np.flatnonzero(before)], 1)
@@ -151,7 +151,7 @@ class Small(Case):
             "speed_m_per_s": "m/s", "outer_radius_m": "m", "bending_nm2": "N m2",
             "peak_force_n": "N", "puncture_force_n": "N", "end_depth_m": "m", "deflection_m": "m",
             "flags": None, "state": None})
-        # A longer needle path for a deeper insertion, and every one of them entered.
+        # A deeper insertion has a longer path, and every needle entered.
         self.assertGreater(np.corrcoef(table["depth_m"], table["end_depth_m"])[0, 1], 0.5)
         refused = subprocess.run([EXAMPLE, small_organ(), self.path, "--insertions", "24",
                                   "--seed", "9"], capture_output=True, text=True)
@@ -182,7 +182,7 @@ class Small(Case):
                 told.append(before)
             killer = threading.Thread(target=kill)
             killer.start()
-            import campaign_test as importable  # as workers import it
+            import campaign_test as importable  # under the name by which workers import it
             table = stylet.sweep(importable.marked, rows(count, self.marks), client=client,
                                  path=self.path, attributes={"seed": SEED})
             killer.join()
@@ -195,7 +195,7 @@ class Large(Case):
 
 
 class UnderSlurm(Case):
-    """As README.md has it: a scheduler of Dask, its workers as jobs of Slurm, and the campaign."""
+    """As in README.md: a scheduler of Dask, its workers as jobs of Slurm, and the campaign."""
 
     def setUp(self):
         if one_node_slurm.missing():
@@ -231,7 +231,7 @@ class UnderSlurm(Case):
             work.wait()
             before = self.done()
             self.assertLess(np.count_nonzero(before), count)
-            # The job's last row may have ended with the job, and was then run by the other.
+            # The job's last row may have been lost with the job, and then another ran it again.
             times = self.times_run(count)[before]
             again = self.start(count, self.client(scheduler), env=environment)
             self.assertEqual(again.wait(timeout=1200), 0)

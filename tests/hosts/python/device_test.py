@@ -21,14 +21,14 @@ HEADER = (SOURCE / "hal/hosts/c/include/stylet/stylet_loop.h").read_text()
 
 
 def hand(needle_length_m=0.15):
-    """One millimetre above the middle of the block's top, pointing down."""
+    """A pose one millimetre above the middle of the block's top, pointing down."""
     info = organ().info
     tip_m = [*(np.add(info.low_m, info.high_m)[:2] / 2), info.high_m[2] + 1e-3]
     return stylet.Hand.at(stylet.pose_of_tip(tip_m, (0, 0, -1), needle_length_m))
 
 
 class Names(unittest.TestCase):
-    def test_numbers_are_the_headers(self):
+    def test_numbers_are_those_of_the_header(self):
         for kind, prefix in ((stylet.Fault, "FAULT_"), (stylet.GuardMode, "GUARD_")):
             found = re.findall(rf"STYLET_{prefix}(\w+) = (\d+)", HEADER)
             self.assertEqual({each.name: each.value for each in kind},
@@ -131,14 +131,14 @@ class Looped(unittest.TestCase):
         with self.assertRaises(RuntimeError):
             loop.start()
 
-    def test_forked_processes_leave_it_to_the_first(self):
-        """There the thread is that would end it, and the device."""
+    def test_forked_processes_leave_the_loop_to_the_first(self):
+        """The first process has the device, and the thread that would end the loop."""
         loop, _ = self.loop(simulation())
         with loop:
             loop.start()
             child = os.fork()
             if child == 0:
-                signal.alarm(60)  # would wait for ever
+                signal.alarm(60)  # ends a process that would wait for ever
                 try:
                     loop.wait()
                 except stylet.StyletError as refused:
@@ -151,7 +151,7 @@ class Looped(unittest.TestCase):
             loop.stop()
             loop.wait()
 
-    def test_what_cannot_be_opened_is_told(self):
+    def test_a_device_that_cannot_be_opened_is_reported(self):
         with self.assertRaises(stylet.StyletError) as refused:
             stylet.Device.open("phantom:", 0)
         self.assertEqual(refused.exception.status, stylet.Status.DEVICE_FAILED)

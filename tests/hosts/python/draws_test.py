@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws are of the distributions that they are named for, and the same for the same seed.
+"""Draws have the distributions whose names they bear, and are the same for the same seed.
 
-Expected values: distribution functions in closed form (math.erf); Kolmogorov's bound, which a right
-sample exceeds once in a million times: sqrt(-ln(1e-6 / 2) / 2 / n); the variance of a mean.
+Expected values: distribution functions in closed form (math.erf); Kolmogorov's bound, which a
+correct sample exceeds once in a million times: sqrt(-ln(1e-6 / 2) / 2 / n); the variance of a mean.
 """
 import math
 import random
@@ -52,7 +52,8 @@ class Draws(unittest.TestCase):
             cube = stylet.draw(drawn, COUNT, seed)
             for name, (_, function) in named.items():
                 self.assertLess(self.distance(columns[name], function), KOLMOGOROV, name)
-                # One in each part: nowhere is the sample off by more than one part.
+                # With one draw in each part, the sample's distribution is nowhere off by more than
+                # one part.
                 self.assertLessEqual(self.distance(cube[name], function), 1 / COUNT + 1e-9, name)
 
     def test_cube_has_one_draw_in_each_part(self):
@@ -79,8 +80,8 @@ class Draws(unittest.TestCase):
         self.assertTrue((one["x"] != other["x"]).all())
 
     def test_far_from_the_mean(self):
-        """Shares of a normal distribution by its complementary error function (C's, to the last
-        digits), relative to the first one: down to 1e-200."""
+        """Tails of a normal distribution by the complementary error function (C's, exact to the
+        last digits), relative to the first one, down to 1e-200."""
         for seed in range(12):
             number = random.Random(seed)
             mean, deviation = number.uniform(-5, 5), number.uniform(0.1, 3)
@@ -109,7 +110,7 @@ class Draws(unittest.TestCase):
         for each in uneven:
             self.assertLessEqual(self.distance(each, float), 1 / COUNT + 1e-9)
 
-    def test_what_cannot_be_drawn_is_refused(self):
+    def test_invalid_distributions_are_refused(self):
         for make in (lambda: stylet.Uniform(1, 1), lambda: stylet.Uniform(0, math.inf),
                      lambda: stylet.LogUniform(0, 1), lambda: stylet.Normal(0, 0),
                      lambda: stylet.Normal(0, math.nan), lambda: stylet.Normal(0, 1, 2, 1),

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Environments: shaped as Gymnasium's, the same with the same seed, rewarded as they say, and many
-at once as each alone.
+"""Environments have Gymnasium's interface, are the same with the same seed, give the rewards that
+they document, and many at once do what each does alone.
 
 Expected values: closed forms of the reward; Gymnasium's published interface (Env.reset, Env.step,
 spaces.Box; gymnasium.farama.org/api/env).
@@ -17,7 +17,7 @@ from stylet.targets import distance_to_segment_m
 from support import FAST, SOURCE, organ
 
 IN, OUT = [0, 0, -1, 0, 0, 0], [0, 0, 1, 0, 0, 0]
-# 15 mm below the middle of the block's top.
+# A target 15 mm below the middle of the block's top.
 GOAL = stylet.Target("goal", (0.03, 0, 0.005), 0.0035)
 
 
@@ -27,7 +27,7 @@ def environment(targets=(GOAL,), **options):
 
 
 def episode(env, action, seed=0):
-    """Rewards until it ends, and how it ended."""
+    """Rewards until the episode ends, and how it ended."""
     env.reset(seed=seed)
     rewards = []
     for _ in range(env.most_steps):
@@ -84,8 +84,8 @@ class Interface(unittest.TestCase):
 
 
 class Reward(unittest.TestCase):
-    def test_straight_in_is_one_and_the_share_of_the_way(self):
-        """The tip of a rigid needle goes 1 mm a step, from 10 mm above the block on."""
+    def test_straight_in_gives_one_and_the_fraction_of_the_way(self):
+        """The tip of a rigid needle moves 1 mm a step, starting 10 mm above the block."""
         env = environment(speed_m_per_s=0.02)
         observation, info = env.reset(seed=0)
         whole_m = info["distance_m"]
@@ -110,8 +110,8 @@ class Reward(unittest.TestCase):
         self.assertLess(rewards[-1], -0.9)
         self.assertGreater(info["distance_m"], GOAL.radius_m)
 
-    def test_shaft_touches_too(self):
-        """The way in misses the zone with the tip, but passes it with the shaft: 5 mm aside."""
+    def test_the_shaft_may_touch_a_zone_too(self):
+        """The tip misses the zone by 5 mm on its way in, but the shaft passes through it."""
         self.assertAlmostEqual(distance_to_segment_m((0.005, 0, 0.5), (0, 0, 1), (0, 0, 0)), 0.005)
         self.assertAlmostEqual(distance_to_segment_m((0, 3, 4), (0, 0, 0), (0, 0, 0)), 5)
         self.assertAlmostEqual(distance_to_segment_m((0, 0, -2), (0, 0, 1), (0, 0, 0)), 2)
@@ -175,7 +175,7 @@ class Motion(unittest.TestCase):
 
 
 class Vector(unittest.TestCase):
-    def test_is_each_alone(self):
+    def test_many_at_once_do_what_each_does_alone(self):
         def make():
             return [environment(scatter_m=0.003, most_steps=4) for _ in range(3)]
         vector, alone = stylet.VectorNeedleEnv(make(), threads=2), make()

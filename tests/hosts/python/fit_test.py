@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Parameters are found again from a curve with noise, and their intervals hold them as often as
-they say, for a curve in closed form.
+"""Parameters are found again from a noisy curve in closed form, and their intervals contain them as
+often as promised.
 
 Expected values: the parameters that the curves were made with; the binomial distribution; Student's
 t of Fisher and Yates' table.
@@ -28,7 +28,7 @@ def truth_of(number):
 
 
 def least_and_most(count, share):
-    """Between which a binomial number lies but once in a thousand times at either end."""
+    """Limits that a binomial number exceeds with a probability of a thousandth at either end."""
     chances = np.cumsum([math.comb(count, i) * share ** i * (1 - share) ** (count - i)
                          for i in range(count + 1)])
     return int(np.searchsorted(chances, 1e-3)), int(np.searchsorted(chances, 1 - 1e-3))
@@ -56,22 +56,22 @@ class Found(unittest.TestCase):
             for name, value in truth.items():
                 self.assertAlmostEqual(found.values[name] / value, 1, places=4)
 
-    def test_intervals_hold_as_often_as_they_say(self):
+    def test_intervals_contain_the_truth_as_often_as_they_say(self):
         for sigma, confidence, fits in ((0.03, 0.95, 300), (None, 0.95, 300), (None, 0.8, 200)):
             least, most = least_and_most(fits, 1 - confidence)
             for name, count in self.misses(fits, sigma, confidence, lambda found, name: (
                     found.low[name], found.high[name])).items():
                 self.assertTrue(least <= count <= most, (name, sigma, count, least, most))
 
-    def test_so_do_those_of_the_profile(self):
+    def test_so_do_intervals_of_the_profile(self):
         least, most = least_and_most(60, 0.2)
         misses = self.misses(60, None, 0.8, lambda found, name: found.profile(name))
         for name, count in misses.items():
             self.assertTrue(least <= count <= most, (name, count, least, most))
 
     def test_a_break_between_points_has_the_interval_of_its_gap(self):
-        """A force that rises and falls at a place: the curve is the same for every place between
-        two points. Random places and noise, on coarse and on fine grids."""
+        """A force rises and then falls at some depth: the curve is the same for every depth between
+        two points. Depths and noise are random, on coarse and on fine grids."""
         for count, fits in ((25, 40), (121, 16)):
             x = np.linspace(0, 6, count)
 
@@ -85,8 +85,9 @@ class Found(unittest.TestCase):
                 noise = [number.gauss(0, 0.03) for _ in x]
                 found = stylet.fit(broken, ranges, broken([truth])[0] + noise,
                                    0.03 if seed % 2 else None)
-                # The least step of force there is 0.35 N, 11 standard deviations: no doubt which
-                # gap it is. Its ends are known to the part to which an end is sought.
+                # The smallest step of force there is 0.35 N, 11 standard deviations: there is no
+                # doubt in which gap it is. The gap's ends are known to the precision with which an
+                # end is sought.
                 gap = np.searchsorted(x, truth["at"])
                 for low, high in ((found.low["at"], found.high["at"]), found.profile("at")):
                     self.assertLess(abs(low / x[gap - 1] - 1), 0.03, seed)
@@ -94,8 +95,8 @@ class Found(unittest.TestCase):
                 held += found.low["at"] <= truth["at"] <= found.high["at"]
             self.assertGreaterEqual(held, least_and_most(fits, 0.95)[0])
 
-    def test_draws_without_a_curve_are_gone_round(self):
-        """A model that gives nan in half of its range, as one does that has become unstable."""
+    def test_parameters_without_a_curve_are_avoided(self):
+        """A model that gives nan in half of its range, as an unstable one does."""
         for seed in range(10):
             truth = {"height": 1.0, "rate": random.Random(seed).uniform(0.6, 1), "slope": 0.1}
 
@@ -108,7 +109,7 @@ class Found(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no curve of finite numbers for any of 48 draws"):
             stylet.fit(lambda points: np.full((len(points), len(X)), np.nan), RANGES, X)
 
-    def test_of_one_straight_parameter_both_are_the_closed_form(self):
+    def test_both_intervals_of_a_linear_parameter_are_the_closed_form(self):
         """log y = log a + noise of known size: the interval of a mean."""
         number = random.Random(4)
         logs = np.log(2.0) + np.array([number.gauss(0, 0.1) for _ in range(40)])
@@ -136,11 +137,11 @@ class Found(unittest.TestCase):
                 (0.99, 4, 4.604), (0.99, 10, 3.169), (0.999, 3, 12.924), (0.999, 4, 8.610),
                 (0.999, 30, 3.646), (0.95, 30, 2.042), (0.99, 120, 2.617), (0.95, math.inf, 1.960)):
             self.assertAlmostEqual(quantile(confidence, freedom), expected, delta=6e-4)
-        # Where the sum ends and the series begins.
+        # Near the place where the sum ends and the series begins.
         self.assertAlmostEqual(quantile(0.999, 300), quantile(0.999, 301), delta=2e-4)
 
-    def test_what_the_curve_does_not_tell_has_no_interval(self):
-        """Of no effect at all, and known as a product alone."""
+    def test_parameters_that_the_curve_does_not_show_have_no_interval(self):
+        """One has no effect at all, and of two others only the product has one."""
         noise = np.random.default_rng(1).normal(0, 0.02, len(X))
         wide = {name: (0.1, 10) for name in "abc"}
         for power in (0, 1):
@@ -157,7 +158,7 @@ class Found(unittest.TestCase):
                     self.assertTrue(0.9 * truth < told[0] < truth < told[1] < 1.1 * truth, told)
 
     def test_refusals(self):
-        """Whatever can be known beforehand is refused before the first simulation."""
+        """Mistakes that can be known beforehand are refused before the first simulation."""
         def never(points):
             raise AssertionError("simulated")
         for words, arguments in (("3 points: expected more", (never, RANGES, [1, 2, 3])),

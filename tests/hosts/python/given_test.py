@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What users give: numbers of any size and order are taken as they are; None, imaginary parts,
-texts and wrong shapes are refused by the name of what they were given for, and nothing moves.
+"""What users give: numbers of any size and byte order are accepted; None, imaginary parts, texts
+and wrong shapes are refused with the name of the argument, and nothing moves.
 
 Expected values: the same numbers as 32-bit floats; the state's hash before.
 """
@@ -38,7 +38,7 @@ class Taken(unittest.TestCase):
         self.assertEqual(stylet.Needle(length_m=1).length_m, 1.0)
         self.assertEqual(simulation().tick([0, 0, 1, 1, 0, 0, 0]).tick, 1)
 
-    def test_truths(self):
+    def test_truth_values(self):
         poses, valid = insertion(50), [1, 0] * 25
         expected = simulation().run(poses, np.array(valid, bool)).tobytes()
         self.assertEqual(simulation().run(poses, valid).tobytes(), expected)
@@ -72,7 +72,8 @@ class Refused(unittest.TestCase):
         self.refused(TypeError, "valid of float64", run.run, good, np.ones(3))
         self.refused(TypeError, "poses of complex128", stylet.VectorSimulation([run]).run,
                      good[None].astype(complex))
-        # The size says where the next one lies: a wrong one would be read outside of the array.
+        # The size says where the next struct lies: with a wrong one memory outside the array would
+        # be read.
         for wrong in (0, 35, 37, 72, 2 ** 20, 2 ** 32 - 1):
             rows = np.zeros(3, stylet.input_dtype)
             rows["struct_bytes"][0] = wrong
@@ -123,9 +124,9 @@ class Refused(unittest.TestCase):
 
 
 class Environments(unittest.TestCase):
-    """Numbers of which rewards would be nan, or episodes of nothing."""
+    """Numbers with which rewards would be nan, or episodes empty."""
 
-    def test_are_refused_by_name(self):
+    def test_numbers_are_refused_by_name(self):
         at, radius_m = GOAL.at_m, GOAL.radius_m
         for words, targets, options in (
                 ("start_m = nan", [GOAL], {"start_m": math.nan}),
@@ -147,8 +148,8 @@ class Environments(unittest.TestCase):
 
 
 class Actions(unittest.TestCase):
-    """Gymnasium's bounded Box holds no nan and no infinity; what is beyond its bounds is clipped,
-    as environments of its own do (Pendulum)."""
+    """Gymnasium's bounded Box contains no nan and no infinity; values beyond its bounds are
+    clipped, as in Gymnasium's own environments (Pendulum)."""
 
     WRONG = [([np.nan, 0, 0, 0, 0, 0], ValueError, "action.*finite"),
              ([0, 0, np.inf, 0, 0, 0], ValueError, "action.*finite"),
@@ -158,7 +159,7 @@ class Actions(unittest.TestCase):
              (None, TypeError, "action is None"),
              ([0, 0, 0, 0, 0, None], TypeError, r"action\[5\] is None")]
 
-    def test_wrong_ones_move_nothing(self):
+    def test_wrong_actions_move_nothing(self):
         env = environment()
         env.reset(seed=1)
         env.step([0, 0, -1, 0, 0, 0])
@@ -173,7 +174,7 @@ class Actions(unittest.TestCase):
             expected = other.step([0, 0, -1, 0, 0, 0])
         np.testing.assert_array_equal(env.step([0, 0, -1, 0, 0, 0])[0], expected[0])
 
-    def test_beyond_is_clipped_and_told(self):
+    def test_actions_beyond_the_bounds_are_clipped_and_reported(self):
         one, other = environment(), environment()
         one.reset(seed=1)
         self.assertFalse(other.reset(seed=1)[1]["clipped"])
@@ -181,7 +182,7 @@ class Actions(unittest.TestCase):
         np.testing.assert_array_equal(clipped[0], within[0])
         self.assertEqual((clipped[4]["clipped"], within[4]["clipped"]), (True, False))
 
-    def test_of_a_vector_all_are_looked_at_first(self):
+    def test_all_actions_of_a_vector_are_checked_before_any_is_done(self):
         vector = stylet.VectorNeedleEnv([environment() for _ in range(3)], threads=1)
         vector.reset(seed=3)
         before = [env.simulation.hash() for env in vector.envs]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Names, numbers, fields and types of the Python package are those of the C header, and complete.
 
-Expected values: stylet.h as it is written.
+Expected values: the text of stylet.h.
 """
 import ast
 import inspect
@@ -61,7 +61,7 @@ class Header(unittest.TestCase):
                 expected = [name for name in expected if name != "struct_bytes"]
             self.assertEqual(list(getattr(_stylet, f"{struct}_dtype").names), expected, struct)
 
-    def test_annotated_fields_are_the_fields(self):
+    def test_annotations_name_exactly_the_fields(self):
         for kind, dtype in ((stylet.Config, _stylet.config_dtype),
                             (stylet.Needle, _stylet.needle_dtype),
                             (stylet.Obstacle, _stylet.obstacle_dtype)):

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Objects of the package in the states that Python allows: without `__init__`, after a failed one,
-closed, copied, pickled, used by two threads, with their lists changed. Each goes on or raises.
+closed, copied, pickled, used by two threads, with their lists changed. Each works or raises.
 
-The classes are found by looking, so that a later one is met too.
+The classes are found by introspection, so that later ones are tested too.
 """
 import copy
 import gc
@@ -21,7 +21,7 @@ from support import insertion, organ, organ_file, simulation
 
 try:
     import stylet_organ
-except ImportError:  # it is not built everywhere
+except ImportError:  # stylet_organ is not built everywhere
     stylet_organ = None
 NOT_MADE = "__init__ of this object was not called, or raised"
 
@@ -34,7 +34,7 @@ def modules():
 
 
 def classes():
-    """All that the packages define."""
+    """All classes that the packages define."""
     found = {each for module in modules() for each in vars(module).values()
              if isinstance(each, type) and each.__module__.split(".")[0] in ("stylet",
                                                                            "stylet_organ")}
@@ -47,7 +47,8 @@ def is_native(kind):
 
 
 def arguments_of(function):
-    """As many None as the function needs beside its object; pybind11 tells them in its text."""
+    """As many None as the function needs besides its object; pybind11 gives the number in its
+    docstring."""
     try:
         needed = [each for each in inspect.signature(function).parameters.values()
                   if each.default is each.empty
@@ -60,7 +61,7 @@ def arguments_of(function):
 
 
 def members(kind):
-    """Methods and properties of objects, by name: not those of the class itself."""
+    """Names of methods and properties of objects, without those of the class itself."""
     for name in sorted({name for each in kind.__mro__[:-1] for name in vars(each)}):
         plain = inspect.getattr_static(kind, name)
         if not name.startswith("__") and not isinstance(plain, (staticmethod, classmethod)):
@@ -78,7 +79,8 @@ class WithoutInit(unittest.TestCase):
         self.assertEqual(found, {"Organ", "Simulation", "Batch", "Guard", "Device", "Loop"})
 
     def test_each_member_raises(self):
-        """Of a native class always, and says why; of Python's own it may have no use for state."""
+        """A member of a native class always raises and says why; one of Python's own may need no
+        state."""
         used = 0
         for kind in classes():
             try:
@@ -110,7 +112,7 @@ class WithoutInit(unittest.TestCase):
                      lambda: stylet.Loop(simulation(), unmade(stylet.Device), stylet.Hand())):
             self.assertRaisesRegex(TypeError, NOT_MADE, call)
 
-    def test_after_one_that_raised(self):
+    def test_after_an_init_that_raised(self):
         run = stylet.Simulation.__new__(stylet.Simulation)
         with self.assertRaises(stylet.StyletError):
             run.__init__(organ(), stylet.Needle(length_m=-1))
@@ -118,8 +120,8 @@ class WithoutInit(unittest.TestCase):
         run.__init__(organ(), config=stylet.Config(inertia="added_mass", substeps=1))
         self.assertEqual(run.hash(), simulation().hash())
 
-    def test_twice(self):
-        """Else a guard would keep its old limits, and say nothing."""
+    def test_init_twice(self):
+        """Otherwise a guard would keep its old limits without a word."""
         guard, run = stylet.Guard(stylet.GuardConfig(max_force_n=2)), simulation()
         loop = stylet.Loop(simulation(), stylet.Device.simulated(0.01, 0.01), stylet.Hand())
         for call in (lambda: guard.__init__(stylet.GuardConfig(max_force_n=3)),
@@ -129,7 +131,7 @@ class WithoutInit(unittest.TestCase):
             self.assertRaisesRegex(TypeError, "called before", call)
         self.assertRaises(TypeError, _stylet.refuse_second_init, 7)
 
-    def test_of_a_class_that_forgets_its_own(self):
+    def test_a_derived_class_that_does_not_call_init(self):
         def forgets(self, *_):
             pass
 
@@ -164,12 +166,12 @@ class Closed(unittest.TestCase):
         self.assertRaisesRegex(RuntimeError, "closed", stylet.Loop, simulation(), device,
                                stylet.Hand())
 
-    def test_one_device_is_not_two(self):
+    def test_a_device_cannot_be_copied(self):
         device = stylet.Device.simulated(0.01, 0.01)
         two = simulation([stylet.Needle(), stylet.Needle()])
         with self.assertRaises(stylet.StyletError):
             stylet.Loop(two, [device, device], 2 * [stylet.Hand()])
-        stylet.Loop(simulation(), device, stylet.Hand()).close()  # it is whole
+        stylet.Loop(simulation(), device, stylet.Hand()).close()  # the device still works
 
 
 class Copied(unittest.TestCase):
@@ -182,7 +184,7 @@ class Copied(unittest.TestCase):
             self.assertEqual(each.run(poses[100:]).tobytes(), end)
             self.assertIs(each.organ, first.organ)
 
-    def test_what_a_class_of_ones_own_has_goes_with_it(self):
+    def test_attributes_of_a_derived_class_are_copied(self):
         class Own(stylet.Simulation):
             def __init__(self, *arguments):
                 super().__init__(*arguments)
@@ -201,7 +203,7 @@ class Copied(unittest.TestCase):
         self.assertIs(copy.deepcopy(organ()), organ())
 
     def test_an_environment_goes_on_from_here(self):
-        """As planners copy one, to try what an action leads to."""
+        """As planners do, to try what an action leads to."""
         env = stylet.NeedleEnv(organ(), [stylet.Target("middle", (0.03, 0, 0.02), 0.002)])
         first = stylet.VectorNeedleEnv([env])
         first.reset(seed=5)
@@ -212,7 +214,7 @@ class Copied(unittest.TestCase):
         self.assertEqual([second.step(act)[0].tobytes() for _ in range(3)], expected)
         self.assertIsNone(second.envs[0].simulation.difference(env.simulation))
 
-    def test_pickle_tells_what_to_do_instead(self):
+    def test_pickle_says_what_to_do_instead(self):
         for thing, told in ((organ(), "path"), (simulation(), "snapshot"),
                             (stylet.VectorSimulation([simulation()]), "snapshot"),
                             (stylet.Guard(), "GuardConfig"),
@@ -222,8 +224,8 @@ class Copied(unittest.TestCase):
         self.assertRaises(TypeError, copy.deepcopy, stylet.Device.simulated(0.01, 0.01))
 
 
-    def test_each_class_has_its_own_word_in_every_protocol(self):
-        """What pybind11 does in protocols 0 and 1 ends the process."""
+    def test_each_class_has_its_own_message_in_every_protocol(self):
+        """In protocols 0 and 1 pybind11's own way would end the process."""
         for kind in filter(is_native, classes()):
             for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
                 self.assertRaisesRegex(TypeError, "cannot be pickled", pickle.dumps,
@@ -232,7 +234,7 @@ class Copied(unittest.TestCase):
 
 class Threads(unittest.TestCase):
     def test_each_member_of_a_simulation_that_runs_raises(self):
-        """Or answers what no tick changes."""
+        """Or it answers with something that no tick changes."""
         run, other = simulation(), simulation()
         poses = np.tile(insertion(2)[0], (1000, 1))  # one call of C
         given = {"difference": [other], "restore": [other.snapshot()], "set_obstacles": [[]],
@@ -248,11 +250,11 @@ class Threads(unittest.TestCase):
                 self.assertTrue(self.is_refused(run, poses, call, given.get(name, [])), name)
         vector = stylet.VectorSimulation([other, run])
         self.assertTrue(self.is_refused(run, poses, vector.run, [np.stack([poses[:1]] * 2)]))
-        self.assertEqual(len(other.run(poses[:1])), 1)  # which the refused one has left free
+        self.assertEqual(len(other.run(poses[:1])), 1)  # the refused call has not blocked it
 
     def is_refused(self, run, poses, call, arguments):
-        """Whether the call is, some time while the other thread is in C; before and after it is
-        not. A run that is over too early is begun again."""
+        """Whether the call raises at some time while the other thread is in C; before and after
+        that it does not. A run that is over too early is started again."""
         thread = None
         for _ in range(20):
             begun = threading.Event()
@@ -282,11 +284,11 @@ class Kept(unittest.TestCase):
         given.clear()
         vector.simulations = ()
         gc.collect()
-        crowd = [simulation() for _ in range(6)]  # where they were
+        crowd = [simulation() for _ in range(6)]  # at the old addresses
         expected = crowd[0].run(poses[0]).tobytes()
         self.assertEqual([each.tobytes() for each in vector.run(poses)], 3 * [expected])
 
-    def test_a_vector_of_none(self):
+    def test_a_vector_of_no_simulations(self):
         vector = stylet.VectorSimulation([])
         self.assertEqual(len(vector), 0)
         for shape in ((0, 5), (0, 0), (0, 5, 1)):
@@ -305,7 +307,7 @@ class Kept(unittest.TestCase):
 
 
 class Bytes(unittest.TestCase):
-    def test_any_that_lie_in_one_piece(self):
+    def test_any_contiguous_buffer(self):
         first = simulation()
         first.run(insertion(100))
         kept, content = first.snapshot(), organ_file().read_bytes()
@@ -316,7 +318,7 @@ class Bytes(unittest.TestCase):
             self.assertIsNone(run.difference(first))
             self.assertEqual(stylet.Organ.from_bytes(made(content)).info.hash, organ().info.hash)
 
-    def test_others_are_refused(self):
+    def test_other_buffers_are_refused(self):
         run = simulation()
         kept, before = run.snapshot(), run.hash()
         scattered = np.repeat(np.frombuffer(kept, np.uint8), 2)[::2]
@@ -329,7 +331,7 @@ class Bytes(unittest.TestCase):
             self.assertRaises(stylet.StyletError, run.restore, given)
         held = bytearray(kept)
         run.restore(held)
-        held.append(0)  # which a buffer that was not given back would not let happen
+        held.append(0)  # possible only if the buffer was released
         self.assertEqual(run.hash(), before)
 
 

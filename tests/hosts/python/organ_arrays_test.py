@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""stylet_organ: organs of arrays are those that stylet-organ makes of files, byte for byte; what
-the program refuses is refused in its words; a build leaves the interpreter free and hears Ctrl-C.
+"""stylet_organ: organs made from arrays are those that stylet-organ makes from files, byte for
+byte; what the program refuses is refused in its words; a build does not block the interpreter and
+obeys Ctrl-C.
 
 Expected values: the files and messages of the program stylet-organ.
 """
@@ -58,7 +59,8 @@ def random_labels(random):
 
 
 class Frame:
-    """Where a map lies: steps in mm along the axes of voxels, in columns, and the first voxel."""
+    """Geometry of a map: steps in mm along the axes of voxels, in columns, and the position of the
+    first voxel."""
 
     def __init__(self, random, oblique):
         turn = np.linalg.qr(random.normal(size=(3, 3)))[0] if oblique else np.eye(3)
@@ -111,7 +113,7 @@ class Labels(Case):
                  {"layers_of": "liver", "layers_along": "-y", "layers": ["fat:8", "muscle:90"],
                   "fill_gaps": "fat:3"}))
 
-    def test_bytes_are_the_programs(self):
+    def test_bytes_are_those_of_the_program(self):
         random = np.random.default_rng(17)
         for i, (words, options) in enumerate(self.SETTINGS * 2):
             labels = random_labels(random).astype(["<u1", "<u2", "<i4", "<f8"][i % 4])
@@ -125,7 +127,7 @@ class Labels(Case):
             self.assertEqual(built.content, expected, words)
             self.assertEqual(built.organ.info.hash, stylet.Organ.from_bytes(expected).info.hash)
 
-    def test_orders_types_and_places_in_memory_give_the_same(self):
+    def test_orders_types_and_layouts_in_memory_give_the_same(self):
         random = np.random.default_rng(5)
         labels = random_labels(random)
         spread = np.zeros(tuple(2 * n for n in labels.shape), np.uint8)
@@ -148,8 +150,8 @@ class Labels(Case):
         self.assertEqual(stylet_organ.from_labels(
             labels == 1, {1: "liver"}, spacing_m=3 * [4 * MM]).organ.info.materials, 2)
 
-    def test_tables_are_files(self):
-        """But for what the provenance tells of them."""
+    def test_tables_give_the_same_as_files(self):
+        """Except for what the provenance says about them."""
         labels, frame = random_labels(np.random.default_rng(6)), Frame(np.random.default_rng(6), 0)
         self.map.write_bytes(frame.nrrd(labels))
         spacing_m, origin_m = np.diag(frame.steps_mm) * MM, frame.origin_mm * MM
@@ -169,7 +171,7 @@ class Labels(Case):
         self.assertEqual(files.organ.materials[0].youngs_modulus_pa, 31500)
         self.assertEqual(files.organ.materials[0].source, "a test")
 
-    def test_what_lies_beside_the_organ(self):
+    def test_targets_and_obstacles_beside_the_organ(self):
         labels, frame = random_labels(np.random.default_rng(8)), Frame(np.random.default_rng(8), 1)
         self.map.write_bytes(frame.nrrd(labels))
         _, facts = self.program(self.map, "--recipe", self.recipe)
@@ -196,7 +198,8 @@ class Labels(Case):
         self.assertEqual((self.top / "again.organ").read_bytes(), built.content)
 
     def test_an_affine_of_nifti(self):
-        """RAS and mm: 2 mm to the right is -2 mm to the left."""
+        """NIfTI's axes are right, anterior, superior, in mm: 2 mm to the right are -2 mm to the
+        left."""
         ras = np.array([[2, 0, 0, 10], [0, 3, 0, -20], [0, 0, 4, 30], [0, 0, 0, 1.0]])
         np.testing.assert_allclose(stylet_organ.affine_m_of_nifti(ras),
                                    [[-.002, 0, 0, -.01], [0, -.003, 0, .02], [0, 0, .004, .03],
@@ -204,8 +207,8 @@ class Labels(Case):
 
 
     def test_takes_no_more_memory_than_the_program(self):
-        """The program has let go of the file's bytes when it builds: of 61 MB of voxels, a second
-        copy of the array would be seen."""
+        """The program frees the file's bytes before it builds: with 61 MB of voxels, a second copy
+        of the array would be noticed."""
         frame = Frame(np.random.default_rng(1), False)
         labels = np.zeros((400, 400, 400), np.uint8)
         labels[180:220, 180:220, 180:220] = 1
@@ -250,7 +253,7 @@ class Meshes(Case):
                  (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
         return corners, np.array(faces, np.uint32)
 
-    def test_bytes_are_the_programs(self):
+    def test_bytes_are_those_of_the_program(self):
         random = np.random.default_rng(3)
         for words, options in (((), {}),
                                (("--voxel-mm", "3", "--capsule", "none", "--wrap"),
@@ -382,13 +385,13 @@ class Refused(Case):
                 stylet_organ.from_labels(labels, **named)
 
 
-    def test_a_mask_of_nothing_is_none(self):
+    def test_an_empty_mask_is_refused(self):
         good = np.ones((6, 6, 6), np.uint8)
         made = [stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [5 * MM]).content
                 for labels in (good, np.ma.masked_array(good, False))]
         self.assertEqual(*made)
 
-    def test_labels_that_nobody_named(self):
+    def test_labels_without_a_name(self):
         labels = np.ones((6, 6, 6), np.uint8)
         labels[:2], labels[2, 0, 0] = 5, 9  # 72 and 1 of 216
 
@@ -417,7 +420,7 @@ class Package(unittest.TestCase):
                          ["liver", "tumour", "liver_capsule"])
         self.assertEqual(names["simulation"].needles, 1)
 
-    def test_stub_has_what_the_module_has(self):
+    def test_stub_has_everything_of_the_module(self):
         stub = ast.parse((SOURCE / "offline/python/package/stylet_organ/_stylet_organ.pyi")
                          .read_text())
         module = stylet_organ._stylet_organ
@@ -426,13 +429,13 @@ class Package(unittest.TestCase):
         self.assertEqual(set(told), public)
         for name, node in told.items():
             if isinstance(node, ast.FunctionDef):
-                # pybind11 tells its arguments in the first line of the text.
+                # pybind11 gives the arguments in the first line of the docstring.
                 line = getattr(module, name).__doc__.splitlines()[0]
                 given = re.findall(r"(\w+): ", line)
                 self.assertEqual([argument.arg for argument in node.args.args], given, name)
 
     def test_presets_are_those_of_the_program(self):
-        """Each number as the organ has it, in the units of its key."""
+        """Each number is that in the organ, in the units of its key."""
         built = stylet_organ.from_labels(np.ones((5, 5, 5), np.uint8), {1: "muscle"},
                                          spacing_m=3 * [5 * MM])
         muscle, preset = built.organ.materials[0], stylet_organ.TISSUES["muscle"]
@@ -489,7 +492,7 @@ class Interpreter(unittest.TestCase):
         self.assertEqual(made[1], made[3])
         self.assertNotEqual(made[0], made[1])
 
-    def test_progress_is_told_and_may_end_it(self):
+    def test_progress_is_reported_and_may_end_the_build(self):
         labels = np.ones((20, 20, 20), np.uint8)
         told = []
         stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [2 * MM],
@@ -505,9 +508,9 @@ class Interpreter(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "enough"):
             stylet_organ.from_labels(labels, {1: "gel"}, spacing_m=3 * [2 * MM], progress=stop)
 
-    def test_is_free_while_an_organ_is_built(self):
-        """Another thread goes on within each long stage: a build that held the interpreter would
-        let nobody count between two calls of progress."""
+    def test_the_interpreter_is_free_while_an_organ_is_built(self):
+        """Another thread goes on within each long stage: if a build blocked the interpreter, the
+        thread could not count between two calls of progress."""
         counted, stop, at = [0], threading.Event(), []
 
         def count():

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The phantom by its name: that of the program for organs, and what is said where it is missing."""
+"""The phantom by its name: it is the one that stylet-organ makes, and a message says if it is
+missing."""
 import subprocess
 import sys
 import unittest
@@ -11,13 +12,13 @@ from support import folder, program
 
 
 class Phantom(unittest.TestCase):
-    def test_is_what_the_program_makes(self):
+    def test_is_the_one_that_the_program_makes(self):
         path = folder() / "liver.organ"
         subprocess.run([program("stylet-organ"), "phantom", "liver", "--voxel-mm", "5", "-o", path],
                        check=True, capture_output=True)
         self.assertEqual(stylet.phantom("liver").info.hash, stylet.Organ.read(path).info.hash)
 
-    def test_another_name_is_told_with_the_known(self):
+    def test_an_unknown_name_is_refused_with_the_known_ones(self):
         program("stylet-organ")
         with self.assertRaisesRegex(ValueError, r"phantom 'kidney': expected one of \['liver'\]"):
             stylet.phantom("kidney")

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The Python of hal/hosts/python/README.md runs as it is written, and draws what it says."""
+"""The Python code of hal/hosts/python/README.md runs as it is written, and draws what the page
+says."""
 import os
 import re
 import unittest
@@ -28,7 +29,7 @@ class Readme(unittest.TestCase):
         self.assertIn(stylet.Event.PUNCTURE, names["simulation"].events()["kind"])
         last = names["outputs"][-1]
         self.assertEqual(last.phase, stylet.Phase.INSERTED)
-        self.assertTrue(0 < last.depth_m < 0.03)  # it went 30 mm below the top, and tissue gave way
+        self.assertTrue(0 < last.depth_m < 0.03)  # 30 mm, less what tissue gave way
 
 
 if __name__ == "__main__":

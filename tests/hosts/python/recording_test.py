@@ -47,7 +47,7 @@ speed_mm_s = 20
 travel_mm = -2
 speed_mm_s = 50
 """
-# Of one needle the other tables are at the top.
+# With a single needle the other tables are at the top level.
 ONE = NEEDLE.format(table="needle", flexible="true").replace("needle.", "")
 TWO = "".join(NEEDLE.format(table="needles", flexible=flexible).replace("[needles]", "[[needles]]")
               for flexible in ("true", "false"))
@@ -106,8 +106,9 @@ class Recording(unittest.TestCase):
         self.assertEqual((wrong.returncode, wrong.stdout), (1, ""))
         self.assertNotIn("Traceback", wrong.stderr)
 
-    def test_what_is_claimed_but_not_stored_is_refused(self):
-        """Rows, texts and chunks that a small file claims are not made of nothing."""
+    def test_rows_that_are_claimed_but_not_stored_are_refused(self):
+        """A small file cannot make the reader allocate the rows, texts and chunks that it merely
+        claims."""
         draw = np.random.default_rng(4)
         whole = recorded("two", TWO)
         changed = folder() / "claimed.h5"
@@ -161,7 +162,7 @@ class Recording(unittest.TestCase):
         changed.write_bytes(whole.read_bytes())
         with h5py.File(changed, "r+") as file:
             grow_all(file)
-            file.attrs["ticks"] = np.uint64(0)  # as of a run that was killed
+            file.attrs["ticks"] = np.uint64(0)  # as after a run that was killed
             chunks = file["output/force_n"].id.get_num_chunks() * file["output/force_n"].chunks[0]
         self.assertEqual(stylet.Recording(changed).ticks, chunks)
 

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Environments of a patient's scene, as stylet-organ writes it for a label map: its targets are
-reached and rewarded, its bones are in the way, its forbidden zones end an episode.
+"""Environments of a patient's scene, as stylet-organ writes it for a label map: its targets can be
+reached and are rewarded, its bones block the way, its forbidden zones end an episode.
 
 Expected values: the labels that the test wrote itself; what the program `stylet` made of the same
-file, which its recording tells; matrices of turns.
+file, according to its recording; rotation matrices.
 """
 import functools
 import math
@@ -19,7 +19,7 @@ from stylet.scene import turned
 from support import FAST, SOURCE, folder, program
 
 IN = [0, 0, -1, 0, 0, 0]
-SPACING_MM, RADIUS = 3.0, 3         # of the map; of the lesion, in its voxels
+SPACING_MM, RADIUS = 3.0, 3         # of the map's voxels; of the lesion, in voxels
 LIVER, LESION, BONE = 1, 2, 3
 FRONT = 6                           # first layer of liver along y
 DRAW = np.random.default_rng(20)
@@ -84,7 +84,7 @@ def episode(env):
 
 
 class Patient(unittest.TestCase):
-    def test_target_is_the_label(self):
+    def test_target_is_where_the_label_is(self):
         target, = environment().targets
         np.testing.assert_allclose(target.at_m, 1e-3 * (ORIGIN_MM + SPACING_MM * MIDDLE), atol=1e-5)
         volume_mm3 = np.count_nonzero(labels() == LESION) * SPACING_MM ** 3
@@ -92,7 +92,7 @@ class Patient(unittest.TestCase):
         self.assertAlmostEqual(target.radius_m, 1e-3 * radius_mm, places=5)
 
     def test_way_in_is_rewarded(self):
-        """From the front, y: 10 mm before the liver, then 1 mm a step into the lesion."""
+        """From the front (y): from 10 mm before the liver, 1 mm a step into the lesion."""
         env = environment(obstacles=())
         _, info = env.reset(seed=0)
         whole_m = info["distance_m"]
@@ -105,7 +105,8 @@ class Patient(unittest.TestCase):
         self.assertAlmostEqual(sum(rewards), 1 + 1 - info["distance_m"] / whole_m, places=6)
 
     def test_bone_is_in_the_way(self):
-        """4 mm before the needle, 20 N/mm; liver bears less than 2 N there."""
+        """Bone of 20 N/mm lies 4 mm in front of the needle; liver alone would give less than 2 N
+        there."""
         felt_n = {}
         for name, options in (("bone", {}), ("none", {"obstacles": ()})):
             env = environment(**options)
@@ -148,8 +149,8 @@ class Patient(unittest.TestCase):
 
 class Obstacles(unittest.TestCase):
     def test_are_those_of_the_program(self):
-        """Bodies of all shapes, with defaults and without: as a recording of the program has
-        them."""
+        """Bodies of all shapes, with and without defaults, are those in a recording of the
+        program."""
         bodies = ['shape = "sphere"\nradius_mm = 7\nat_mm = [500, 0, 0]\n']
         for _ in range(3):
             size, turn, at = (DRAW.uniform(*ends, 3).tolist() for ends in
@@ -163,9 +164,10 @@ class Obstacles(unittest.TestCase):
         subprocess.run([program("stylet"), "run", path, "--fast", "--duration-s", "0.01",
                         "--record", recording], check=True, capture_output=True)
         here, there = stylet.read_obstacles(path), stylet.Recording(recording).obstacles
-        self.assertEqual(len(here), 5)  # the plate of bone is one
+        self.assertEqual(len(here), 5)  # with the plate of bone
         for name in ("stiffness_n_per_m", "largest_force_n", "friction"):
-            # The same defaults to the bit: of the program's scenes and of the interface in C.
+            # The defaults of the program's scenes and of the interface in C are the same to the
+            # bit.
             self.assertEqual(getattr(there[1], name), getattr(stylet.Obstacle(), name), name)
         for ours, theirs in zip(here, there, strict=True):
             for name in ("vertex_count", "vertices_m", "position_m", "rotation_wxyz", "rounding_m",
@@ -173,7 +175,7 @@ class Obstacles(unittest.TestCase):
                 np.testing.assert_allclose(getattr(ours, name), getattr(theirs, name), rtol=1e-6,
                                            atol=1e-7, err_msg=name)
 
-    def test_turns_are_about_x_then_y_then_z(self):
+    def test_rotations_are_about_x_then_y_then_z(self):
         for degrees in DRAW.uniform(-360, 360, (20, 3)):
             (cx, cy, cz), (sx, sy, sz) = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
             expected = (np.array([[cz, -sz, 0], [sz, cz, 0], [0, 0, 1]])
@@ -184,7 +186,7 @@ class Obstacles(unittest.TestCase):
             np.testing.assert_allclose(stylet.motion.rotated(turned(degrees), [0, 1, 0]),
                                        expected[:, 1], atol=1e-12)
 
-    def test_mistakes_are_told_with_their_place(self):
+    def test_mistakes_are_reported_with_their_place(self):
         for text, told in (('shape = "cone"', r"obstacles\[0\]\.shape = 'cone': expected one of"),
                            ('shape = "box"\nat_mm = [0, 0, 0]', "size_mm: missing"),
                            ('shape = "sphere"\nradius_mm = 1', "at_mm: missing"),

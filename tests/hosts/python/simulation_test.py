@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Simulations from Python give the bits of the C interface, and refuse with place and limits.
+"""Simulations from Python give the bits of the C interface, and refusals have place and limits.
 
 Expected values: what the example in C prints, which is compiled here; geometry in closed form; the
 limits of stylet.h and of the files' format.
@@ -37,7 +37,7 @@ class SameBits(unittest.TestCase):
         self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_ticks_one_by_one_and_in_a_run(self):
-        poses = insertion(1500)  # more than one part of a run
+        poses = insertion(1500)  # more than a run takes in one part
         one, many, ready = simulation(), simulation(), simulation()
         outputs = many.run(poses)
         given = np.empty(len(poses), stylet.output_dtype)
@@ -77,8 +77,8 @@ class SameBits(unittest.TestCase):
 
 class Pose(unittest.TestCase):
     def test_of_a_tip(self):
-        """The needle leaves the handle along its -z: straight down is no turn, and its base is a
-        length above."""
+        """The needle leaves the handle along its -z: straight down needs no rotation, and its base
+        is one needle length above the tip."""
         pose = stylet.pose_of_tip((0.01, 0.02, 0.03), DOWN, 0.15)
         np.testing.assert_allclose(pose, [0.01, 0.02, 0.18, 1, 0, 0, 0], atol=1e-7)
         for direction in [(1, 0, 0), (0.6, 0, 0.8), (-2, 1, 3)]:
@@ -103,7 +103,7 @@ class Pose(unittest.TestCase):
 
 
 class State(unittest.TestCase):
-    def test_clone_and_snapshot_go_on_alike(self):
+    def test_a_clone_and_a_snapshot_go_on_in_the_same_way(self):
         poses = insertion(800)
         first = simulation()
         first.run(poses[:400])
@@ -117,15 +117,15 @@ class State(unittest.TestCase):
         first.restore(kept)
         self.assertEqual(bytes_of(first.run(poses[400:])), end)
 
-    def test_reset_is_a_new_one(self):
+    def test_reset_gives_a_new_simulation(self):
         used, new = simulation(), simulation()
         used.run(insertion(500))
         used.reset()
         self.assertIsNone(used.difference(new))
 
     def test_obstacle_pushes_back_with_its_stiffness(self):
-        """PHYSICS 13.3: K d / sqrt(1 + (K d / F)^2), where the axis of the needle is 1 mm deep in
-        the ball and the needle's radius is besides. The ball stands beside the organ."""
+        """PHYSICS 13.3: K d / sqrt(1 + (K d / F)^2), where the needle's axis is 1 mm deep in the
+        ball, and d is that plus the needle's radius. The ball stands beside the organ."""
         ball = stylet.Obstacle.sphere(0.01, position_m=(0.5, 0, 0), stiffness_n_per_m=1000,
                                       largest_force_n=10, friction=0)
         run = stylet.Simulation(organ(), obstacles=[ball])
@@ -166,8 +166,9 @@ class Refused(unittest.TestCase):
         self.assertEqual(why.status, stylet.Status.FILE_UNREADABLE)
         self.assertIn("missing.organ", str(why))
 
-    def test_paths_are_those_of_the_system(self):
-        """Also names that are no UTF-8, which Python has as surrogates; and none ends at a zero."""
+    def test_any_path_of_the_system_can_be_opened(self):
+        """So can names that are not UTF-8, for which Python has surrogates; and no name ends at a
+        zero byte."""
         for name in ("Leber \u809d.organ", os.fsdecode(b"Leber \xff.organ"), b"\xfe.organ"):
             path = os.path.join(os.fsencode(folder()), os.fsencode(name))
             with open(path, "wb") as file:
@@ -219,9 +220,9 @@ class Refused(unittest.TestCase):
 
 
 class Interpreter(unittest.TestCase):
-    def test_is_free_while_ticks_are_computed(self):
-        """While one call of C runs, another thread of Python counts. One part of a run is one
-        call: a thread that held the interpreter would let nobody count in it."""
+    def test_the_interpreter_is_free_while_ticks_are_computed(self):
+        """While one call of C runs, another thread of Python counts. One part of a run is one call:
+        if it blocked the interpreter, the other thread could not count during it."""
         run, counted, stop = simulation(substeps=8), [0], threading.Event()
 
         def count():

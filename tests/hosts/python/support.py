@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Organs and programs for the tests of the Python package; what is not built is skipped."""
+"""Organs and programs for the tests of the Python package; tests of programs that were not built
+are skipped."""
 import atexit
 import functools
 import os
@@ -17,7 +18,7 @@ BUILD = pathlib.Path(os.environ["STYLET_BUILD"])
 BIN = pathlib.Path(os.environ["STYLET_BIN"])
 DOWN = (0, 0, -1)
 BLOCK_M = (0.06, 0.06, 0.04)
-FAST = {"inertia": "added_mass", "substeps": 1}  # for what does not depend on the physics
+FAST = {"inertia": "added_mass", "substeps": 1}  # for tests that do not depend on the physics
 
 
 @functools.cache
@@ -36,7 +37,8 @@ def program(name):
 
 @functools.cache
 def organ_file():
-    """A block of liver of 12 x 12 x 8 voxels, its low end held; x from 0 on, the others about 0."""
+    """A block of liver of 12 x 12 x 8 voxels, held at its low end; it begins at x = 0, and y and z
+    are centred on 0."""
     path = folder() / "block.organ"
     size = ",".join(str(1e3 * length) for length in BLOCK_M)
     subprocess.run([program("stylet-organ"), "phantom", "block", "--size-mm", size,
@@ -55,7 +57,7 @@ def simulation(needles=None, **config):
 
 
 def insertion(ticks, at_m=(0, 0), deepest_m=0.02, needle=None):
-    """Poses of a needle from 1 mm above the block's top to so deep in it."""
+    """Poses of a needle from 1 mm above the block's top to the given depth."""
     info = organ().info
     top_m = [*(np.add(info.low_m, info.high_m)[:2] / 2 + at_m), info.high_m[2] + 1e-3]
     tips_m = top_m + np.outer(np.linspace(0, deepest_m + 1e-3, ticks), DOWN)

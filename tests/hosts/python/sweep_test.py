@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Sweeps: every row once, in one table, wherever it ran; killed, and resumed.
+"""Sweeps: every row runs once and is in one table, wherever it ran; killed and resumed.
 
 Expected values: closed forms of the rows' own parameters; insertions that are run here one by one.
 """
@@ -39,7 +39,7 @@ def counted(i, folder):
 
 
 def deadly(i):
-    """Row 3 takes the worker with it, each time."""
+    """Row 3 ends its worker every time."""
     if i == 3:
         os.kill(os.getpid(), signal.SIGKILL)
     return {"twice": 2 * i}
@@ -83,7 +83,7 @@ def insertion_of(deepest_m, path):
 
 
 def named(module, qualname, function):
-    """As if it were that one, changed since a table was written."""
+    """Takes the place of another function that has changed since a table was written."""
     function.__module__, function.__qualname__ = module, qualname
     return function
 
@@ -112,7 +112,7 @@ class Sweep(unittest.TestCase):
             self.assertEqual(list(table["label"]), ["A", "B", "C"])
             self.assertEqual(list(table["error"]), ["", "", ""])
 
-    def test_insertions_have_the_bits_of_each_alone(self):
+    def test_insertions_have_the_bits_of_single_runs(self):
         depths = [0.005, 0.01, 0.02]
         parameters = {"deepest_m": depths, "path": [str(organ_file())] * 3}
         table = stylet.sweep(insertion_of, parameters, 2)
@@ -130,8 +130,8 @@ class Sweep(unittest.TestCase):
         np.testing.assert_array_equal(again["half"], [0, 0.5, 1, -1, 2])
         self.assertEqual(set(again["error"]), {""})
 
-    def test_progress_is_told(self):
-        """Of what was there before, too; an exception of its own leaves what was done."""
+    def test_progress_is_reported(self):
+        """Rows that were there before count, too; if the callback raises, finished rows stay."""
         path, told = folder() / "progress.h5", []
         rows = {"i": list(range(8))}
 
@@ -144,7 +144,7 @@ class Sweep(unittest.TestCase):
         self.assertEqual(told, [(0, 8), (1, 8), (2, 8), (3, 8)])
         told.clear()
         stylet.sweep(half_of_odd, rows, 2, path=path, progress=lambda *both: told.append(both))
-        self.assertEqual(told, [(done, 8) for done in range(3, 9)])  # row 3 had not come yet
+        self.assertEqual(told, [(done, 8) for done in range(3, 9)])  # row 3 was still missing
         told.clear()
         stylet.sweep(half_of_odd, rows, 0, path=path, progress=lambda *both: told.append(both))
         self.assertEqual(told, [(7, 8), (8, 8)])  # it fails again
@@ -181,7 +181,7 @@ class Sweep(unittest.TestCase):
         self.assertEqual(ended.returncode, 0, ended.stderr)
         columns, _ = stylet.read_table(self.path())
         deadly_ones = {11, 30}
-        for i, error in enumerate(columns["error"]):  # each costs itself, and no other
+        for i, error in enumerate(columns["error"]):  # each ends only its own row
             self.assertEqual(error, "its process ended" if i in deadly_ones else "")
         done = [i not in deadly_ones for i in range(40)]
         resumed = named("killed", "function", lambda i: counted(i, marks))
@@ -206,21 +206,21 @@ class Sweep(unittest.TestCase):
         workers = [int(parent.stdout.readline()) for _ in range(2)]
         parent.kill()
         begin = time.monotonic()
-        parent.communicate()  # until nobody holds its output
+        parent.communicate()  # until no process holds its output
         self.assertLess(time.monotonic() - begin, 30)
         self.assertEqual(len(set(workers)), 2)
 
-    def test_rows_that_were_not_run_say_so(self):
+    def test_rows_that_were_not_run_are_marked(self):
         path = self.path()
         with self.assertRaises(KeyboardInterrupt):
             stylet.sweep(interrupted, {"i": range(5)}, 0, path=path)
         self.assertEqual(list(stylet.read_table(path)[0]["error"]), ["", ""] + 3 * ["not run yet"])
 
-    def test_what_no_process_can_import_is_refused_at_once(self):
+    def test_a_function_that_cannot_be_imported_is_refused_at_once(self):
         with self.assertRaisesRegex(TypeError, "another process can import"):
             stylet.sweep(lambda i: {"y": i}, {"i": [0, 1, 2]}, 2)
 
-    def test_an_odd_row_costs_itself_alone(self):
+    def test_an_odd_row_fails_alone(self):
         path = self.path()
         table = stylet.sweep(odd, {"i": range(12)}, 2, path=path)
         good = [0, 1, 11]
@@ -247,7 +247,7 @@ class Sweep(unittest.TestCase):
         self.refuses("function is .*half_of_odd, and here .*interrupted: expected the same",
                      interrupted)
         self.refuses("function is .*half_of_odd, and here .*deadly", functools.partial(deadly))
-        # Of the same name, but another one: it gives nothing that the table has.
+        # It has the same name but is another function: it gives no column of the table.
         self.refuses("has the results half, and the function gives other: expected that which",
                      functools.wraps(half_of_odd)(lambda i: {"other": i}))
         table = stylet.read_table(self.path())[0]
@@ -255,8 +255,8 @@ class Sweep(unittest.TestCase):
         self.refuses("attributes: function: sweep writes it itself", attributes={"function": "f"})
 
     def test_table_without_a_function_says_how_to_go_on(self):
-        """As versions wrote it that noted no function: refused as it is, and resumed with the
-        command that the refusal has."""
+        """Earlier versions wrote tables without the function: such a table is refused, and resumed
+        with the command that the refusal gives."""
         first = stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
         with h5py.File(self.path(), "r+") as file:
             del file.attrs["function"]
@@ -272,7 +272,7 @@ class Sweep(unittest.TestCase):
         again = functools.wraps(half_of_odd)(lambda i: ran.append(i) or half_of_odd(i))
         table = stylet.sweep(again, {"i": range(5)}, 0, path=self.path())
         np.testing.assert_array_equal(table["half"], first["half"])
-        self.assertEqual(ran, [3])  # which failed before
+        self.assertEqual(ran, [3])  # the row that failed before
 
     def test_a_script_and_its_module_are_one_function(self):
         script = folder() / "campaign_of_one.py"
@@ -329,11 +329,11 @@ class Sweep(unittest.TestCase):
             first.stdout.readline()
             while not os.path.exists(path + ".lock"):
                 time.sleep(0.01)
-            time.sleep(0.5)  # a lock that is there may have been left by the one before
+            time.sleep(0.5)  # a lock that exists may be the earlier process's
             with self.assertRaisesRegex(RuntimeError, "another sweep is writing it"):
                 stylet.sweep(here, rows, 0, path=path)
             if killed:
-                first.kill()  # its lock goes with it, and so do those of its processes
+                first.kill()  # its lock ends with it, and so do its workers' locks
             (folder() / "go").touch()
             first.communicate()
             table = stylet.sweep(here, rows, 0, path=path)
@@ -356,8 +356,9 @@ class Sweep(unittest.TestCase):
         table = self.on_dask(squared, PARAMETERS)
         np.testing.assert_array_equal(table["square"], [2.25, 4, 9])
 
-    def test_a_row_that_kills_its_workers_is_one_that_failed(self):
-        """Dask gives it up after its fourth worker; rows that waited for those may fail with it."""
+    def test_a_row_that_kills_its_workers_counts_as_failed(self):
+        """Dask gives the row up after its fourth worker; rows that waited for the same workers may
+        fail with it."""
         table = self.on_dask(deadly, {"i": range(12)}, path=self.path())
         self.assertIn("KilledWorker", table["error"][3])
         good = table["error"] == ""

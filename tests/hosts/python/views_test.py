@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What a simulation and an organ show are the library's own arrays: not copied, for reading, right.
+"""Arrays of a simulation and an organ are the library's own memory: not copied, read-only, correct.
 
-Expected values: the block's size and what is held in it, as the organ was ordered.
+Expected values: the size and the attached end of the block that the test ordered.
 """
 import unittest
 
@@ -16,7 +16,7 @@ def address(array):
 
 
 class Views(unittest.TestCase):
-    def test_stay_in_their_place_and_are_filled_anew(self):
+    def test_stay_in_place_and_are_filled_again(self):
         run = simulation(stylet.Needle(bending_nm2=0.02))
         poses = insertion(1000)
         run.run(poses[:300])
@@ -39,7 +39,7 @@ class Views(unittest.TestCase):
         self.assertIs(run.tick(pose), first)
         self.assertEqual((copy.tick, first.tick), (1, 2))
 
-    def test_are_for_reading(self):
+    def test_are_read_only(self):
         run = simulation()
         for array in (run.surface(), run.particles(), run.voxel_corners(), run.events(),
                       organ().vertices, organ().triangles, organ().voxels,
@@ -51,8 +51,8 @@ class Views(unittest.TestCase):
         shown = simulation().surface()
         np.testing.assert_array_equal(shown, organ().vertices)
 
-    def test_inputs_are_read_where_they_lie(self):
-        """Nothing was converted: what the array says of its rows after the call is what counts."""
+    def test_inputs_are_read_without_a_copy(self):
+        """Nothing is converted: changes of the array after the call count."""
         inputs = stylet.inputs(insertion(10))
         inputs["struct_bytes"][0] = 0
         with self.assertRaisesRegex(ValueError, "struct_bytes 0"):
@@ -60,7 +60,7 @@ class Views(unittest.TestCase):
 
 
 class Organ(unittest.TestCase):
-    def test_is_the_block_that_was_ordered(self):
+    def test_the_organ_is_the_block_that_was_ordered(self):
         info = organ().info
         self.assertEqual(info.voxels, 12 * 12 * 8)
         self.assertEqual(info.size, (12, 12, 8))
@@ -87,7 +87,7 @@ class Organ(unittest.TestCase):
         self.assertAlmostEqual(organ().raycast(above, (0, 0, -2)), 0.03, places=6)
         self.assertIsNone(organ().raycast((1, 1, 1), DOWN))
 
-    def test_corners_of_voxels_are_theirs(self):
+    def test_neighbouring_voxels_share_corners(self):
         """Particle of corner dx + 2 dy + 4 dz: the neighbour along x has it as its corner 0."""
         corners, voxels = simulation().voxel_corners(), organ().voxels
         number = {(int(v["x"]), int(v["y"]), int(v["z"])): i for i, v in enumerate(voxels)}
@@ -106,7 +106,7 @@ class Organ(unittest.TestCase):
 
 class Physics(unittest.TestCase):
     def test_energy_and_events_of_an_insertion(self):
-        """A hand that pushes does work; what is dissipated is not more."""
+        """A hand that pushes does work, and no more than that is dissipated."""
         run = simulation(substeps=2)
         run.run(insertion(2000))
         events = [stylet.event_name(event["kind"]) for event in run.events()]

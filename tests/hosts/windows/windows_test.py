@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""stylet.dll is what the header says, and has the bits of libstylet.so: sessions, guards and loops
-that are drawn from a seed, states that go from one system to the other, recorded faces of devices.
+"""stylet.dll has the functions of the header and the bits of libstylet.so: random sessions, guards
+and loops, states that go from one system to the other, and what devices do there.
 
 usage: windows_test.py SOURCE BUILD_FOLDER FOLDER_OF_LIBSTYLET STYLET_ORGAN
 """
@@ -29,7 +29,7 @@ SEEDS = range(1, 9)
 
 
 def build():
-    """The library and the examples. Without libccd's source there is nothing to be tested."""
+    """Builds the library and the examples. Without libccd's source there is nothing to test."""
     done = subprocess.run(["cmake", "--preset", "windows", "-B", str(FOLDER / "build")], cwd=SOURCE,
                           capture_output=True, text=True)
     if done.returncode != 0:
@@ -82,12 +82,13 @@ class Library(Windows):
         self.assertLessEqual(set(re.findall(r"DLL Name: (\S+)", text)),
                              {"KERNEL32.dll", "msvcrt.dll", "bcrypt.dll"})
 
-    def test_holds_no_path_of_the_build(self):
+    def test_contains_no_path_of_the_build(self):
         for place in SOURCE, BUILD:
             self.assertNotIn(str(place).encode(), DLL.read_bytes())
 
-    def test_moves_no_vector_to_where_windows_may_not_have_aligned_it(self):
-        """GCC's bug 54412: on the stack. The steps have no other aligned moves, either."""
+    def test_makes_no_aligned_move_of_a_vector_on_the_stack(self):
+        """GCC's bug 54412: Windows may not have aligned the stack for it. The steps have no other
+        aligned moves either."""
         for name in "avx2", "avx512":
             objects = list((FOLDER / "build").rglob(f"step_{name}.cpp.obj"))
             self.assertEqual(len(objects), 1)
@@ -95,7 +96,7 @@ class Library(Windows):
             self.assertIn("%zmm" if name == "avx512" else "%ymm", code)
             self.assertEqual(re.findall(r"vmov(?:ap[sd]|dqa\d*)\s.*\(.*", code), [])
 
-    def test_is_installed_with_the_terms_of_what_is_in_it(self):
+    def test_is_installed_with_the_licences_of_its_parts(self):
         prefix = self.top / "prefix"
         output("cmake", "--install", FOLDER / "build", "--component", "libraries", "--prefix",
                prefix)
@@ -103,7 +104,7 @@ class Library(Windows):
         self.assertEqual(found, {"bin/stylet.dll", "licences/LICENSE", "licences/libccd.txt",
                                  "licences/mingw-w64.txt"})
 
-    def test_the_example_prints_what_it_prints_here(self):
+    def test_the_example_prints_the_same_as_on_linux(self):
         program = BUILD / "bin/stylet_example_insert_c"
         told = output(program, self.organ)
         self.assertRegex(told, r"state [0-9a-f]{16}\n$")
@@ -120,7 +121,7 @@ class Bits(Windows):
                 state = re.search(r"^state (\w+)$", told, re.M)[1]
                 self.assertEqual(re.findall(r"^copy (\w+)$", told, re.M), 3 * [state])
                 punctures += told.count("event puncture")
-        self.assertGreater(punctures, 0)  # else little was compared
+        self.assertGreater(punctures, 0)  # otherwise little was compared
 
     def test_of_states_that_go_from_one_system_to_the_other(self):
         for seed in list(SEEDS)[:3]:
@@ -143,24 +144,24 @@ class Bits(Windows):
 
 
 class Devices(Windows):
-    def test_a_loop_in_real_time_says_that_windows_promises_none(self):
+    def test_a_loop_in_real_time_says_that_windows_promises_no_time(self):
         told = self.there("live", self.organ, "own")
         self.assertIn("ticks 500\n", told)
         self.assertIn("Windows promises no time", told)
 
-    def test_kinds_that_only_linux_has_are_refused(self):
+    def test_kinds_of_devices_that_only_linux_has_are_refused(self):
         for uri in "udp:7755", "shm:needle", "spnav:", "pointer:", "nobody:":
             told = self.there("live", self.organ, uri, status=1)
             self.assertIn(f"refused 406 {uri}: expected", told)
             self.assertIn("one of hd:, dhd:\n", told)
 
-    def test_a_vendors_library_that_is_not_there_is_named(self):
+    def test_a_missing_vendors_library_is_named(self):
         for uri, name in ("hd:", "hd.dll"), ("dhd:", "dhd64.dll"):
             told = self.there("live", self.organ, uri, status=1)
             self.assertRegex(told, rf"refused 406 .*{name}: .*expected the vendor's library")
 
     def test_a_vendors_library_gives_a_device(self):
-        """A stand-in's, compiled for Windows."""
+        """The library is a stand-in, compiled for Windows."""
         for uri, source in ("hd:", "standin_hd.cpp"), ("dhd:", "standin_dhd.cpp"):
             with self.subTest(uri):
                 library = self.top / source.replace(".cpp", ".dll")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program with the shared library, which loads a plugin that has the static ones inside, as an
-// engine may meet two versions of Stylet: each runs its own.
+// A program with the shared library loads a plugin that has the static ones inside, as an engine
+// may load two versions of Stylet: each runs its own.
 #include <dlfcn.h>
 #include <stylet/stylet.h>
 
