@@ -41,7 +41,8 @@ struct DriverDescriptor {
   const char* scheme;  // of its URIs, before the colon
   const char* uri;     // the URI that `stylet devices` lists
   const char* name;
-  // `rest`: the part of the URI after the colon.
+  // `rest`: the part of the URI after the colon. Waits up to `patience_s` for the device; throws a
+  // DeviceError of one line that says what to do.
   Device (*open)(const std::string& rest, double patience_s);
   // Says what is here or missing (seen), the remedy, and whether it is ready; opens nothing.
   void (*search)(const HostTree& tree, DeviceSighting& out);

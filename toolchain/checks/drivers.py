@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks that the udev rules and the tables of devices in hal/device/README.md and, for Windows, in
-hal/hosts/c/README.md agree with the descriptors of the drivers, from which they are made. --write
+hal/hosts/c/windows.md agree with the descriptors of the drivers, from which they are made. --write
 makes them again.
 
 usage: drivers.py PROGRAM REPOSITORY [--write]
@@ -16,7 +16,7 @@ import built  # noqa: E402
 
 RULES = "toolchain/rt-host/tree/etc/udev/rules.d/70-stylet-haptic.rules"
 README = "hal/device/README.md"
-WINDOWS = "hal/hosts/c/README.md"
+WINDOWS = "hal/hosts/c/windows.md"
 BEGIN, END = "<!-- from the drivers: toolchain/checks/drivers.py -->\n", "<!-- end -->\n"
 
 
