@@ -17,8 +17,8 @@ import sys
 SANITIZED = "-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -Wno-maybe-uninitialized"
 ROWS = {
     "fast": [("g++", "-O3"), ("g++", "-O2"), ("g++", "-O1"), ("g++", "-O0"), ("clang++", "-O2")],
-    # The whole kernel for newer processors, not only the lattice; as one translation unit; and with
-    # coverage.
+    # The whole kernel for newer processors, not only the lattice; with link-time optimisation; and
+    # with sanitizers.
     "full": [("g++", "-O3"), ("g++", "-O3 -march=x86-64-v3"), ("g++", "-O3 -march=x86-64-v4"),
              ("g++", "-Os"), ("g++", "-O2 -flto"), ("g++", SANITIZED), ("clang++", "-O3"),
              ("clang++", "-O3 -march=x86-64-v3"), ("clang++", "-O3 -march=x86-64-v4")],

@@ -142,7 +142,7 @@ std::vector<format::Run> draw(std::mt19937_64& random, const Shape& shape) {
   return runs_of(cells);
 }
 
-// Far rows and near ones; combs that are just too sparse and just dense enough not to be cut;
+// Far rows and near ones; combs on either side of the length of holes at which a row is cut in two;
 // sheets of single voxels; single planes and lines.
 constexpr Shape kShapes[] = {
     {400, {65000, 240, 240}, 40, 1}, {400, {65000, 4000, 4000}, 3, 1}, {3000, {900, 1, 1}, 2, 1},
