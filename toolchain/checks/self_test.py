@@ -544,6 +544,14 @@ class Tidy(Sample):
         self.write("hal/a.cpp", APACHE + "// " + "a" * 98 + "\n")
         self.expect_one(self.faults(), "hal/a.cpp:2", "101 columns")
 
+    def test_refuses_a_cited_test_that_does_not_exist(self):
+        self.write("tests/a_test.cpp", APACHE + "TEST_P(Needle, BendsAsABeam) {\n}\n")
+        self.write("kernel/a.md",
+                   "`needle_beam.Needle.Bends`, `needle_beam.Needle.*Beam`, `a.B.c`\n")
+        self.assertEqual(list(self.faults()), [])
+        self.write("kernel/b.md", "see\n`needle_beam.Needle.Breaks`\n")
+        self.expect_one(self.faults(), "kernel/b.md:2", "no test Needle.Breaks")
+
     def test_refuses_long_function(self):
         body = "  f();\n" * 59
         self.write("hal/a.cpp", APACHE + "void f(int a,\n       int b) {\n" + body + "}\n")

@@ -4,6 +4,7 @@
 
 usage: tidy.py REPOSITORY
 """
+import fnmatch
 import pathlib
 import re
 import sys
@@ -105,6 +106,18 @@ def check_cited(name, text, sections):
                     yield f"{name}:{number}: PHYSICS has no section {section}"
 
 
+TEST = re.compile(r"^(?:TEST|TEST_F|TEST_P)\(\s*(\w+),\s*(\w+)", re.M)
+CITED_TEST = re.compile(r"`[a-z]\w*_\w+\.([A-Z]\w*\.[\w*]+)`")  # `program.Suite.BeginningOfName`
+
+
+def check_cited_tests(name, text, tests):
+    """Faults: cited tests that no file below tests/ has."""
+    for number, line in enumerate(text.splitlines(), 1):
+        for cited in CITED_TEST.findall(line):
+            if not fnmatch.filter(tests, cited + "*"):
+                yield f"{name}:{number}: no test {cited}"
+
+
 def check_licence(name, lines):
     wanted = "GPL-3.0-or-later" if name.startswith("offline/") else "Apache-2.0"
     if not any(f"SPDX-License-Identifier: {wanted}" in line for line in lines[:2]):
@@ -138,6 +151,8 @@ def faults(repository):
     physics = top / "kernel/PHYSICS.md"
     sections = set(re.findall(r"^#+ (\d+(?:\.\d+)?)", physics.read_text(), re.M)
                    if physics.is_file() else ())
+    tests = [".".join(test) for path in (top / "tests").rglob("*.cpp")
+             for test in TEST.findall(path.read_text())]
     files = [path for folder in FOLDERS for path in sorted((top / folder).rglob("*"))]
     for path in files + sorted(top.glob("*.md")) + [top / "CMakeLists.txt"]:
         name = path.relative_to(top)
@@ -160,6 +175,7 @@ def faults(repository):
             if path.suffix == ".md":
                 yield from check_links(path, name, "\n".join(lines))
                 yield from check_cited(name, "\n".join(lines), sections)
+                yield from check_cited_tests(name, "\n".join(lines), tests)
 
 
 if __name__ == "__main__":
