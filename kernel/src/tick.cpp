@@ -146,7 +146,7 @@ std::uint32_t move_particles(const Model& model, State& state, Scratch& scratch,
   const float from_track_m = tip.track_m;
   cut_tip(model, state, needle, moved_m);  // 6: cut
   rehome_tip(model, state);
-  slip_shaft(model, state, scratch, needle);                                           // 7: slip
+  slip_shaft(model, state, scratch, needle, moved_m);                                  // 7: slip
   return flags | add_and_remove(model, state, scratch, needle, from_m, from_track_m);  // 8
 }
 

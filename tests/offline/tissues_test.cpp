@@ -93,7 +93,7 @@ TEST(Tissues, RefuseWhatTheKernelRefuses) {
   }
 }
 
-// If no preset has the tissue's name, every number must be there, except for two that most tissues
+// If no preset has the tissue's name, every number must be there, except for those that most tissues
 // do not have.
 TEST(Tissues, WithoutAPresetNeedEveryNumber) {
   const Scratch scratch;

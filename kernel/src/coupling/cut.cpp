@@ -119,7 +119,7 @@ void cut_tip(const Model& model, State& state, const Needle& needle, float moved
     enter_layer(model, state, tip, direction, in_track);
     const float axial = dot(force_on_tissue(tip), direction);
     move = overshoot(model, tip, axial, 0, tip_limit(model, state, tip, in_track));
-    all = move + renew(model, tip, direction, move, state.head->cutting_j);
+    all = move + renew(model, tip, direction, move, moved_m, state.head->cutting_j);
   }
   const Vec3 cut = turn_cut(model, state, needle, 0.5F * all);
   advance_tip(model, state, tip, cut, all);

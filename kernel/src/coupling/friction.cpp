@@ -72,7 +72,8 @@ float friction_limit_n(const Model& model, const State& state, const Particle& p
   return friction_n_per_m(p.friction, p.slip_m_per_s) * length_of(model, state, p);
 }
 
-void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle) {
+void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle,
+                float moved_m) {
   const ModelHead& head = *model.head;
   NeedleState& own = *state.needle;
   for (std::uint32_t i = 0; i < own.shaft_count; ++i) {
@@ -86,7 +87,7 @@ void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle
     const float slip = overshoot(model, p, dot(force, direction), -limit, limit);
     stretch_of(state, scratch, i) =
         (1 / p.stiffness_n_per_m) * (force - p.force_n) - slip * direction;
-    const float all = slip + renew(model, p, direction, slip, state.head->friction_j);
+    const float all = slip + renew(model, p, direction, slip, moved_m, state.head->friction_j);
     p.arc_m += all;
     p.position_m = needle_place(needle, p.arc_m);
     note_slip(head, p, all);

@@ -24,8 +24,10 @@ void take_tributary_spring(const Model& model, State& state, Particle& p);
 // CP's own place would be one sample for a unit of shaft.)
 void gather_friction(const Model& model, State& state, Vec3 from_m, float from_track_m);
 
-// The shaft's CPs slip back to their limits, and store how far the tick pulls their springs.
-void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle);
+// The shaft's CPs slip back to their limits, and store how far the tick pulls their springs. In
+// this tick the needle moved by `moved_m` along itself.
+void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle,
+                float moved_m);
 
 // Friction of a CP's tributary length, at its slip speed.
 float friction_limit_n(const Model& model, const State& state, const Particle& p);

@@ -9,6 +9,18 @@ namespace {
 // Below this speed a CP sticks.
 constexpr float kSlidingMPerS = 1e-4F;
 
+float size_of(float way_m) {
+  return way_m < 0 ? -way_m : way_m;
+}
+
+// The way a that renews the tissue after a slip s: the relaxed part b that lies along the slip
+// comes back by a / (L + a), and the CP slips as much farther: a = s + b a / (L + a).
+float renewing_way(float slip_m, float relaxed_m, float moved_m) {
+  const float off = slip_m + relaxed_m - kRenewalLengthM;
+  const float all = 0.5F * (off + std::sqrt(off * off + 4 * kRenewalLengthM * slip_m));
+  return min_of(all, max_of(slip_m, moved_m));
+}
+
 }  // namespace
 
 float overshoot(const Model& model, const Particle& p, float axial_n, float low_n, float high_n) {
@@ -25,12 +37,15 @@ float overshoot(const Model& model, const Particle& p, float axial_n, float low_
   return excess / p.stiffness_n_per_m;
 }
 
-float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, double& booked_j) {
-  const float size = slip_m < 0 ? -slip_m : slip_m;
-  if (!(size > kSlidingMPerS * model.head->config.period_s)) return 0;
+float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, float moved_m,
+            double& booked_j) {
+  const float slid = size_of(slip_m);
+  if (!(slid > kSlidingMPerS * model.head->config.period_s)) return 0;
   const double before = memory_energy(p);
   const float along = dot(p.slack_m, direction);
-  const float part = size / (kRenewalLengthM + size);
+  const float relaxed = p.relaxing_fraction * dot(p.memory_m, direction);
+  const float way = renewing_way(slid, slip_m < 0 ? -relaxed : relaxed, size_of(moved_m));
+  const float part = way / (kRenewalLengthM + way);
   p.memory_m = settle(p.memory_m - part * dot(p.memory_m, direction) * direction);
   p.memory_n = settle(p.memory_n - part * dot(p.memory_n, direction) * direction);
   p.memory_spread = (1 - part) * p.memory_spread;
@@ -43,12 +58,12 @@ float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, doubl
 }
 
 void note_slip(const ModelHead& head, Particle& p, float slip_m) {
-  const float speed = (slip_m < 0 ? -slip_m : slip_m) / head.config.period_s;
+  const float speed = size_of(slip_m) / head.config.period_s;
   p.slip_m_per_s = settle(speed + head.velocity_keep * (p.slip_m_per_s - speed));
 }
 
 void note_no_slip(const ModelHead& head, Particle& p, float slip_m) {
-  const float speed = (slip_m < 0 ? -slip_m : slip_m) / head.config.period_s;
+  const float speed = size_of(slip_m) / head.config.period_s;
   p.slip_m_per_s = settle(max_of(p.slip_m_per_s - (1 - head.velocity_keep) * speed, 0));
 }
 

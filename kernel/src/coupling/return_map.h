@@ -23,8 +23,11 @@ constexpr float kEndTolerance = 2.0F;
 float overshoot(const Model& model, const Particle& p, float axial_n, float low_n, float high_n);
 
 // A slip brings fresh tissue to the needle, which has not relaxed yet. The force stays. Returns how
-// much farther the CP must slip for that, and books the energy that the branch loses.
-float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, double& booked_j);
+// much farther the CP must slip for that, and books the energy that the branch loses. The way that
+// renews is all of it, what the renewal adds included, but no longer than the slip or than what the
+// needle `moved_m` in the tick: tissue that has crept a renewal length or more would run away.
+float renew(const Model& model, Particle& p, Vec3 direction, float slip_m, float moved_m,
+            double& booked_j);
 
 // Adds a slip of this tick to the low-passed speed, which chooses the friction.
 void note_slip(const ModelHead& head, Particle& p, float slip_m);

@@ -173,7 +173,9 @@ std::vector<double> move_and_hold(Rig& rig, const Scene& s, Vec3& tip_m, Vec3 wa
 // Fractions and times, divided by what is expected.
 struct Held {
   Scene scene;
-  bool inserted;
+  bool inserted, layered;
+  bool slides;  // not: the tip had just come to a layer that stops it, so that it is no endless
+                // slide
   double slid;  // v tau / L of the insertion
   Decay in, across;
 };
@@ -181,9 +183,12 @@ struct Held {
 Held hold(const Scene& s, bool layered) {
   Rig rig = rig_of(s, layered);
   Vec3 tip = s.start_m;
-  Held held = {s, false, s.in_m_per_s * s.time_s / static_cast<double>(kRenewalLengthM), {}, {}};
+  Held held = {s, false, layered, false, 0, {}, {}};
+  held.slid = s.in_m_per_s * s.time_s / static_cast<double>(kRenewalLengthM);
   held.in = decay_of(move_and_hold(rig, s, tip, s.direction, 34e-3, s.in_m_per_s, 0));
-  held.inserted = rig.view().state.needle->phase == Phase::kInserted;
+  const State state = rig.view().state;
+  held.inserted = state.needle->phase == Phase::kInserted;
+  held.slides = state.tip->material == state.needle->layer;
   const Output out = checked_tick(rig, needle_at(s.direction, tip, rig.length_m));
   held.across = decay_of(move_and_hold(rig, s, tip, s.across, s.across_m, s.across_m_per_s,
                                        -along(out.force_n, s.across)));
@@ -203,17 +208,16 @@ std::vector<Held> drawn_holds(std::uint64_t seed, int count, bool layered) {
   return all;
 }
 
-// Slower than this, the tissue already relaxes while the insertion loads it, and the force of an
-// endless slide is only approximately the expected one.
-constexpr double kSlow = 5, kSlowTolerance = 0.2;
-
 void expect_as_written(const std::vector<Held>& all, double tolerance) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Held& h = all[i];
     const Scene& s = h.scene;
     EXPECT_TRUE(h.inserted) << "draw " << i;
-    EXPECT_NEAR(h.in.fraction, 1, h.slid < kSlow ? kSlowTolerance : tolerance)
-        << "draw " << i << ", v tau / L " << h.slid << ", phi " << s.fraction;
+    // In layers each part of a slow needle has its own tissue's way to relax, and its neighbours'.
+    if (h.slides) {
+      EXPECT_NEAR(h.in.fraction, 1, h.layered && h.slid < 5 ? 0.06 : tolerance)
+          << "draw " << i << ", v tau / L " << h.slid << ", phi " << s.fraction;
+    }
     EXPECT_NEAR(h.in.time_s, 1, tolerance) << "draw " << i << ", tau " << s.time_s;
     EXPECT_NEAR(h.across.fraction, 1, tolerance) << "draw " << i << ", phi " << s.fraction;
     EXPECT_NEAR(h.across.time_s, 1, tolerance) << "draw " << i << ", tau " << s.time_s;
