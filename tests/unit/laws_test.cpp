@@ -49,10 +49,11 @@ double integral_of(const Law& law, double end) {
 // ---- cone ---------------------------------------------------------------------------------------
 // A cone on tissue whose lattice gives way by itself, as cone.h writes it, solved by bisection.
 struct Reference {
-  double k, l, part, growth, end;
+  double k, l, part, growth, end, start;
 
   double whole_n(double depth) const {
-    return depth < l ? k * depth * depth / (2 * l) : k * (depth - l / 2);
+    const double cone = depth < l ? k * depth * depth / (2 * l) : k * (depth - l / 2);
+    return start * k * depth + (1 - start) * cone;
   }
   double depth_of(double own) const {  // the depth d with own = d - c F(d) / k
     double low = own, high = own + part * l + part / (1 - part) * own + l;
@@ -62,8 +63,10 @@ struct Reference {
     }
     return high;
   }
-  double own_slope(double depth) const { return 1 - part * std::min(depth / l, 1.0); }
-  double growth_n(double depth) const {  // added by the lattice's growth
+  double own_slope(double depth) const {
+    return 1 - part * (start + (1 - start) * std::min(depth / l, 1.0));
+  }
+  double growth_n(double depth) const {  // what the lattice's growth adds
     const double force = whole_n(depth), most = std::min(force, end), left = own_slope(depth);
     return (1 - left) / left * growth * (2 * force * most - most * most);
   }
@@ -92,8 +95,9 @@ DrawnCone drawn_cone(Draw& draw) {
   c.lattice_part = draw.between(0, 0.95);
   c.growth_end_n = draw.magnitude(0.1, 10) * c.stiffness_n_per_m * c.length_m;
   c.growth_per_n = draw.between(0, 0.5) / c.growth_end_n;
-  out.is = {wide(c.stiffness_n_per_m), wide(c.length_m), wide(c.lattice_part), wide(c.growth_per_n),
-            wide(c.growth_end_n)};
+  c.start = draw.between(0, 1) < 0.5F ? 0 : draw.between(0, wide(kMostStart));  // 0: a bare cone
+  out.is = {wide(c.stiffness_n_per_m), wide(c.length_m),     wide(c.lattice_part),
+            wide(c.growth_per_n),      wide(c.growth_end_n), wide(c.start)};
   out.own_m = wide(draw.magnitude(1e-2, 5) * c.length_m);
   return out;
 }
@@ -108,7 +112,8 @@ TEST(ConeLaw, IsSneddonsConeAndThenAPunch) {
     needle.tip_half_angle_rad = draw.between(wide(kMinTipHalfAngleRad), wide(kMaxTipHalfAngleRad));
     const double plane_pa = wide(draw.magnitude(1e3, 1e6)), radius_m = wide(needle.outer_radius_m);
     const double tangent = std::tan(wide(needle.tip_half_angle_rad));
-    const Cone cone = {static_cast<float>(2 * radius_m * plane_pa), cone_length_m(needle), 0, 0, 0};
+    const Cone cone = {
+        static_cast<float>(2 * radius_m * plane_pa), cone_length_m(needle), 0, 0, 0, 0};
     EXPECT_NEAR(wide(cone.length_m) * tangent / (kPi / 2 * radius_m), 1, 2e-6);
     const double narrow_m = wide(draw.between(0.01, 0.99)) * wide(cone.length_m);
     const auto own = static_cast<float>(narrow_m);
@@ -217,6 +222,25 @@ TEST(FilmLaw, GrowsAsTheMinimumOfEnergyRequires) {
     EXPECT_NEAR(force(factor * plane, skin, depth) / once, std::pow(factor, 2.0 / 3), 1e-3);
     EXPECT_NEAR(force(plane, factor * skin, depth) / once, std::pow(factor, 1.0 / 3), 1e-3);
     EXPECT_NEAR(force(plane, skin, factor * depth) / once, std::pow(factor, 5.0 / 3), 3e-3);
+  }
+}
+
+// The law of contact with a film's start, wherever the needle's point presses before it is through.
+TEST(FilmLaw, IsFollowedFromAFifthOfItsDepthOn) {
+  Draw draw(7);
+  for (int i = 0; i < kDraws; ++i) {
+    const float plane = draw.magnitude(5e3, 1e5), skin = draw.magnitude(30, 5e3);
+    const float depth = draw.between(1e-3, 9.9e-3);
+    const Film film = film_at(plane, skin, film_force_n(plane, skin, depth));
+    const Cone cone = {1, kFilmChange * film.depth_m, 0, 0, 0, film.start};
+    const float scale = film.force_n / (cone_secant(cone, film.depth_m) * film.depth_m);
+    for (const float share : {0.2F, kFilmShallow, draw.between(0.2, 1), 1.0F}) {
+      const float at = share * film.depth_m;
+      EXPECT_NEAR(wide(scale * cone_secant(cone, at) * at / film_force_n(plane, skin, at)), 1,
+                  share == kFilmShallow || share == 1 ? 1e-4 : 0.05)
+          << i << ": at " << share << " of " << film.depth_m << " m, " << skin << " N/m on "
+          << plane << " Pa";
+    }
   }
 }
 

@@ -145,10 +145,9 @@ float surface_compliance(const Model& model, const Ground& g, float poisson) {
 }
 
 // The required law of contact (cone.h): that of the needle's point on the tissue, steeper where
-// that stiffens, or that of the thin skin over it (film.h) if the skin is stiffer; between the two
-// if it is hardly stiffer.
+// that stiffens, or that of the thin skin over it (film.h) if the skin is stiffer.
 struct Punch {
-  float stiffness_n_per_m, length_m;
+  float stiffness_n_per_m, length_m, start;
 };
 
 // Of the half angle of the needle's tip.
@@ -166,11 +165,9 @@ Punch wanted_punch(const Model& model, const State& state, const MaterialModel& 
   const float press_m = 2 * m.film.force_n / punch_n_per_m;
   const float bare_m = press_m < cone_m ? std::sqrt(press_m * cone_m) : 0.5F * (press_m + cone_m);
   const float depth_m = m.film.depth_m;
-  if (!(depth_m < bare_m)) return {punch_n_per_m, cone_m};
-  const float length_m = cone_m + (1 - depth_m / bare_m) * (kFilmChange * depth_m - cone_m);
-  const float wide_m = min_of(depth_m, length_m);
-  const float shape_m = wide_m * wide_m / (2 * length_m) + (depth_m - wide_m);
-  return {m.film.force_n / shape_m, length_m};
+  if (!(depth_m < bare_m)) return {punch_n_per_m, cone_m, 0};
+  return {m.film.force_n / (depth_m * film_shape(m.film.start)), kFilmChange * depth_m,
+          m.film.start};
 }
 
 }  // namespace
@@ -238,8 +235,10 @@ ContactLaw law_of(const Model& model, const State& state) {
   const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
   const Punch wanted = wanted_punch(model, state, m);
   const float narrower = min_of(punch_n_per_m / wanted.stiffness_n_per_m, 1);
+  // The narrower punch keeps the spring of the start.
+  const float start = min_of(wanted.start / narrower, kMostStart);
   return contact_law({punch_n_per_m, narrower * wanted.length_m, part, growth / unit_n,
-                      unit_n * clamp(end, 0, kGiveGrowthEnd)},
+                      unit_n * clamp(end, 0, kGiveGrowthEnd), start},
                      m.relaxing_fraction);
 }
 

@@ -6,6 +6,8 @@
 // punch's stiffness k = 2 a E / (1 - nu^2) and l = pi a / (2 tan(half angle)):
 //   F(d) = k d^2 / (2 l),  U(d) = k d^3 / (6 l)                          up to d = l,
 //   F(d) = k (d - l / 2),  U(d) = k (d^2 / 2 - l d / 2 + l^2 / 6)        beyond.
+// A thin skin resists its point from the start (film.h): there a part s of k is a plain spring,
+// k s d, and the rest that cone. Below, 1 - s and s are left out.
 //
 // This is the law of all the tissue. The lattice gives way by itself, by a part c of the punch's
 // 1 / k. The tip's own spring keeps y = d - c F(d) / k: the same force at a smaller depth, with
@@ -37,6 +39,7 @@ struct Cone {
   float lattice_part;       // c, below 1
   float growth_per_n;       // g
   float growth_end_n;       // F_end
+  float start;              // s, below 1
 };
 
 // pi a / (2 tan(half angle)) of a needle's tip.
@@ -49,21 +52,25 @@ inline float cone_length_m(const NeedleConfig& needle) {
 
 // Depth of all the tissue over the spring's own depth, at least 1.
 inline float cone_ratio(const Cone& c, float own_m) {
-  const float l = c.length_m, part = c.lattice_part;
-  if (own_m > (1 - 0.5F * part) * l) return (own_m - 0.5F * part * l) / ((1 - part) * own_m);
-  return 2 / (1 + std::sqrt(1 - 2 * part * (own_m / l)));
+  const float l = c.length_m, part = c.lattice_part, rest = 1 - c.start;
+  if (own_m > (1 - 0.5F * part * (1 + c.start)) * l) {
+    return (own_m - 0.5F * part * rest * l) / ((1 - part) * own_m);
+  }
+  const float left = 1 - part * c.start;
+  return 2 / (left + std::sqrt(left * left - 2 * part * rest * (own_m / l)));
 }
 
 // Width of contact at that depth, over the needle's width: the slope of F over k.
 inline float cone_width(const Cone& c, float own_m) {
-  return min_of(cone_ratio(c, own_m) * own_m / c.length_m, 1);
+  return c.start + (1 - c.start) * min_of(cone_ratio(c, own_m) * own_m / c.length_m, 1);
 }
 
 // F over the spring's own depth.
 inline float cone_secant(const Cone& c, float own_m) {
   const float ratio = cone_ratio(c, own_m), depth = ratio * own_m;
-  const float width = min_of(depth / c.length_m, 1);
-  return c.stiffness_n_per_m * ratio * width * (1 - 0.5F * c.length_m / max_of(depth, c.length_m));
+  const float width = min_of(depth / c.length_m, 1), whole = c.stiffness_n_per_m * ratio;
+  const float cone = whole * width * (1 - 0.5F * c.length_m / max_of(depth, c.length_m));
+  return c.start * whole + (1 - c.start) * cone;
 }
 
 // Force of the spring at that depth, over F: more where the lattice has given way more.
@@ -78,8 +85,9 @@ inline float cone_growth(const Cone& c, float own_m) {
 inline float cone_tangent(const Cone& c, float own_m) {
   const float width = cone_width(c, own_m), left = 1 - c.lattice_part * width;
   const float force = cone_secant(c, own_m) * own_m, most = min_of(force, c.growth_end_n);
-  const float widening =
-      width < 1 ? c.lattice_part * most * (2 * force - most) / (c.length_m * left * left) : 0.0F;
+  const float widening = width < 1 ? (1 - c.start) * c.lattice_part * most * (2 * force - most) /
+                                         (c.length_m * left * left)
+                                   : 0.0F;
   const float slope = c.stiffness_n_per_m * width;
   return (slope + c.growth_per_n * (widening + 2 * most * slope * (1 - left) / left)) / left;
 }
@@ -87,8 +95,9 @@ inline float cone_tangent(const Cone& c, float own_m) {
 // Energy of a spring that carries F.
 inline double cone_energy(const Cone& c, float own_m) {
   const float x = cone_ratio(c, own_m) * own_m / c.length_m, width = min_of(x, 1);
-  const float whole = width * (0.5F * x * (x - width) + width * width * (1.0F / 6));
-  const float force = width * (x - 0.5F * width);  // over k l
+  const float cone = width * (0.5F * x * (x - width) + width * width * (1.0F / 6));
+  const float whole = c.start * 0.5F * x * x + (1 - c.start) * cone;
+  const float force = c.start * x + (1 - c.start) * width * (x - 0.5F * width);  // over k l
   const float unit = c.stiffness_n_per_m * c.length_m * c.length_m;
   return static_cast<double>(unit) *
          static_cast<double>(whole - 0.5F * c.lattice_part * force * force);
@@ -131,19 +140,21 @@ inline float missing_depth(const ContactLaw& law, float missing_n) {
   if (!(missing_n > 0)) return 0;
   const Cone& c = law.now;
   const float l = c.length_m, part = c.lattice_part, left = law.relaxed.lattice_part;
+  const float start = c.start, rest = 1 - start, kept = 1 - law.fraction;
   const float q_m = missing_n / c.stiffness_n_per_m, apart_m = part * q_m;
-  const float edge_m = (1 - 0.5F * part) * l;  // where d = l
+  const float edge_m = (1 - 0.5F * part * (1 + start)) * l;  // where d = l
   if (missing_n <= missing_secant(law, edge_m) * edge_m) {
-    const float square = 2 * l * q_m * (1 - part * apart_m / (2 * l));
-    const float e = square / (apart_m + std::sqrt(apart_m * apart_m + law.fraction * square));
-    return e - left / (2 * l) * e * e;
+    const float square = 2 * l * q_m * ((1 - start * part) / rest - part * apart_m / (2 * l));
+    const float by = law.fraction * start / rest * l + apart_m;
+    const float e = square / (by + std::sqrt(by * by + law.fraction * square));
+    return e - left * start * e - rest * left / (2 * l) * e * e;
   }
-  if ((1 - part) * q_m <= 0.5F * law.fraction * l) {
-    const float sum = (1 - part) * q_m + 0.5F * l;
-    const float e = 2 * sum / (1 + std::sqrt(1 - 2 * (1 - law.fraction) * sum / l));
-    return (1 - part) * (e + apart_m) + 0.5F * part * l;
+  if ((1 - part) * q_m <= 0.5F * law.fraction * l * (1 + start)) {
+    const float sum = (1 - part) * q_m + 0.5F * rest * l, by = 1 - kept * start;
+    const float e = 2 * sum / (by + std::sqrt(by * by - 2 * kept * rest * sum / l));
+    return (1 - part) * (e + apart_m) + 0.5F * part * rest * l;
   }
-  return 0.5F * l + q_m * (1 - part) * (1 - left) / law.fraction;
+  return 0.5F * rest * l + q_m * (1 - part) * (1 - left) / law.fraction;
 }
 
 // How much faster than the whole the spring's missing force must follow: the lattice takes up the

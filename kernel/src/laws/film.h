@@ -9,12 +9,10 @@
 // steep. C and that reduction come from a stretched skin, bonded to a half space, solved by
 // finite elements (tests/fidelity/coupling/film.py).
 //
-// The law of contact (cone.h) has two pieces, a parabola and a line. It agrees with a film at the
-// depth at which the film is punctured. It changes over at kFilmChange of that depth, or nearer to
-// where the needle's cone does, the less stiff the film is beside its tissue. So it is too soft in
-// shallow dimples: an 18G on a liver's capsule, punctured at 4 to 6 mm, feels 0.7 of the film's
-// force 1 mm deep, 0.9 to 0.95 at 2 mm, 1.05 at 3 mm. A law that agreed there would be far off
-// where needles go through.
+// The law of contact (cone.h) has two pieces, a parabola and a line, and the part `start` of a
+// plain spring. It agrees with a film at the depth at which the film is punctured and at
+// kFilmShallow of that, and is within a twentieth of it from a fifth of that on. It changes over at
+// kFilmChange of that depth.
 //
 // Promises: no allocation, no branch on hardware. Units SI. PHYSICS 8.2.
 #pragma once
@@ -23,12 +21,21 @@
 
 namespace stylet {
 
-constexpr float kFilmChange = 0.45F;
+constexpr float kFilmChange = 0.65F, kFilmShallow = 0.25F;
+// At most this part of the law is a plain spring: divisions by the rest are possible.
+constexpr float kMostStart = 0.9F;
 
-// Depth and force at which the law of contact is the film's; force 0 without a film.
+// Depth and force at which the law of contact is the film's, and the part of it that is a plain
+// spring; force 0 without a film.
 struct Film {
-  float depth_m, force_n;
+  float depth_m, force_n, start;
 };
+
+// The law's force there over k and that depth: of the spring, and of the cone with its line.
+constexpr float kFilmHigh = 1 - 0.5F * kFilmChange;
+inline float film_shape(float start) {
+  return start + (1 - start) * kFilmHigh;
+}
 
 inline float film_force_n(float plane_pa, float membrane_n_per_m, float depth_m) {
   constexpr float kFilm = 0.69F, kSteep = 0.3F;
@@ -45,7 +52,13 @@ inline Film film_at(float plane_pa, float membrane_n_per_m, float force_n) {
     const float middle_m = 0.5F * (low_m + high_m);
     (film_force_n(plane_pa, membrane_n_per_m, middle_m) < force_n ? low_m : high_m) = middle_m;
   }
-  return {high_m, film_force_n(plane_pa, membrane_n_per_m, high_m)};
+  const float force = film_force_n(plane_pa, membrane_n_per_m, high_m);
+  const float share = film_force_n(plane_pa, membrane_n_per_m, kFilmShallow * high_m) / force;
+  // share = (s x + (1 - s) low) / film_shape(s), where x is kFilmShallow.
+  constexpr float kFilmLow = kFilmShallow * kFilmShallow / (2 * kFilmChange);
+  const float start =
+      (share * kFilmHigh - kFilmLow) / ((kFilmShallow - kFilmLow) - share * (1 - kFilmHigh));
+  return {high_m, force, clamp(start, 0, kMostStart)};
 }
 
 }  // namespace stylet
