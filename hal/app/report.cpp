@@ -121,7 +121,8 @@ Json json_of(const NeedleConfig& needle) {
           {"bent_length_m", json_number(needle.bent_length_m)},
           {"bent_angle_rad", json_number(needle.bent_angle_rad)},
           {"torsion_nm2", json_number(needle.torsion_nm2)},
-          {"tip_half_angle_rad", json_number(needle.tip_half_angle_rad)}};
+          {"tip_half_angle_rad", json_number(needle.tip_half_angle_rad)},
+          {"torn_diameters", json_number(needle.torn_diameters)}};
 }
 
 Json json_of(std::size_t predicted, std::size_t used) {

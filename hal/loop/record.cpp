@@ -69,11 +69,12 @@ constexpr std::array kNeedleColumns = {
     Column{"needles/bent_angle_rad", kF32, 1, STYLET_IN(config.bent_angle_rad)},
     Column{"needles/torsion_nm2", kF32, 1, STYLET_IN(config.torsion_nm2)},
     Column{"needles/tip_half_angle_rad", kF32, 1, STYLET_IN(config.tip_half_angle_rad)},
+    Column{"needles/torn_diameters", kF32, 1, STYLET_IN(config.torn_diameters)},
     Column{"needles/entry_m", kF32, 3, STYLET_IN(course.entry_m)},
     Column{"needles/direction", kF32, 3, STYLET_IN(course.direction)},
 };
 #undef STYLET_IN
-static_assert(sizeof(NeedleConfig) == 10 * 4, "a field of NeedleConfig has no column");
+static_assert(sizeof(NeedleConfig) == 11 * 4, "a field of NeedleConfig has no column");
 
 #define STYLET_IN(field) offsetof(ObstacleConfig, field)
 constexpr std::array kObstacleColumns = {

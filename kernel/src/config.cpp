@@ -30,6 +30,7 @@ Status check_needle(const NeedleConfig& n, std::uint32_t index, ConfigRefusal* r
   within("needle.torsion_nm2", n.torsion_nm2, 0, kMaxTorsionNm2);
   within("needle.tip_half_angle_rad", n.tip_half_angle_rad, kMinTipHalfAngleRad,
          kMaxTipHalfAngleRad);
+  within("needle.torn_diameters", n.torn_diameters, kMinTornDiameters, kMaxTornDiameters);
   return first.status(refusal_out);
 }
 

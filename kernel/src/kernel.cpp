@@ -44,10 +44,6 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   out.shear_pa = m.youngs_modulus_pa / per_shear;
   out.poisson_ratio = m.poisson_ratio;
   out.skin_shear_n_per_m = m.membrane_n_per_m / per_shear;
-  if (m.membrane_n_per_m > 0) {
-    const float plane_pa = m.youngs_modulus_pa / (1 - m.poisson_ratio * m.poisson_ratio);
-    out.film = film_at(plane_pa, m.membrane_n_per_m, m.puncture_force_n);
-  }
   // A thin skin is spread over its voxels: its stiffness in tension does not depend on the voxel.
   // It can become thinner: it adds to the voxel's modulus in tension, not to lambda. (If it were as
   // incompressible as the tissue, its pressure waves, which no hand feels, would be the fastest of
@@ -64,13 +60,8 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
     out.lattice_shear_pa = out.shear_pa;
     out.poisson_ratio = out.lattice_volume_ratio = out.skin_shear_n_per_m = 0;
     out.stiffening = 0;
-    out.film = {};
   }
-  out.puncture_n = m.puncture_force_n;
-  out.cutting_n = m.cutting_force_n;
-  out.recut_fraction = m.recut_fraction;
   out.puncture_exponent = m.puncture_velocity_exponent;
-  out.friction = friction_of(m);
   out.relaxing_fraction = m.relaxing_fraction;
   out.relaxation_time_s = m.relaxation_time_s;
   return out;
@@ -109,6 +100,19 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
     head.material[i] =
         material_model(organ_material(organ, i), config, head.edge_m, head.substep_s);
+  }
+}
+
+// What each needle meets in each material. The paper knows no skins.
+void fill_forces(const Organ& organ, const Config& config, Model& model) {
+  const ModelHead& head = *model.head;
+  for (std::uint32_t needle = 0; needle < config.needle_count; ++needle) {
+    for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+      NeedleForces& forces = model.forces[needle * kMaxMaterials + i];
+      forces = needle_forces(organ_material(organ, i), config.needle[needle],
+                             head.cone_length_m[needle]);
+      if (config.mode == Mode::kPaper) forces.film = {};
+    }
   }
 }
 
@@ -324,6 +328,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   std::memset(memory.model.data(), 0, need.model_bytes);
   Model model = model_of(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);
+  fill_forces(organ, config, model);
   fill_lattice(organ, model);
   fill_sheets(organ, model, counts);
   if (counts.filtered_particles != 0) fill_tiles(organ, model);

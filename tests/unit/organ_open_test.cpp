@@ -90,6 +90,12 @@ std::vector<Case> material_cases() {
        "puncture_velocity_exponent", 0, 0.75, "0 to 0.5"},
       {"membrane", material([](M& m) { m.membrane_n_per_m = 2e5F; }), range, "membrane_n_per_m", 0,
        2e5, "0 to 1e5"},
+      {"toughness", material([](M& m) { m.fracture_toughness_j_per_m2 = 2e5F; }), range,
+       "fracture_toughness_j_per_m2", 0, 2e5, "0 to 1e5"},
+      {"rate", material([](M& m) { m.toughness_velocity_exponent = 0.75F; }), range,
+       "toughness_velocity_exponent", 0, 0.75, "0 to 0.5"},
+      {"coefficient", material([](M& m) { m.needle_friction_coefficient = 2.5F; }), range,
+       "needle_friction_coefficient", 0, 2.5, "0 to 2"},
   };
 }
 
@@ -334,6 +340,9 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
           m.puncture_velocity_exponent = high ? 0.5F : 0;
           m.membrane_n_per_m = high ? 1e5F : 0;
           m.strain_stiffening = high ? 1e3F : 0;
+          m.fracture_toughness_j_per_m2 = high ? 1e5F : 0;
+          m.toughness_velocity_exponent = high ? 0.5F : 0;
+          m.needle_friction_coefficient = high ? 2 : 0;
           o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
           o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? kMaxOriginM : -kMaxOriginM;
           std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
@@ -373,6 +382,9 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
       material([](M& m) { m.puncture_velocity_exponent = 0.501F; }),
       material([](M& m) { m.membrane_n_per_m = 1.01e5F; }),
       material([](M& m) { m.strain_stiffening = 1001; }),
+      material([](M& m) { m.fracture_toughness_j_per_m2 = 1.01e5F; }),
+      material([](M& m) { m.toughness_velocity_exponent = 0.501F; }),
+      material([](M& m) { m.needle_friction_coefficient = 2.01F; }),
       [](Owner& o) { o.voxel_edge_m = 0.1001F; },
       [](Owner& o) { o.origin_z_m = 100.5F; },
       material([](M& m) { m.density_kg_per_m3 = 0.99F; }),
@@ -389,6 +401,9 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
       material([](M& m) { m.puncture_velocity_exponent = -0.01F; }),
       material([](M& m) { m.membrane_n_per_m = -1; }),
       material([](M& m) { m.strain_stiffening = -0.01F; }),
+      material([](M& m) { m.fracture_toughness_j_per_m2 = -1; }),
+      material([](M& m) { m.toughness_velocity_exponent = -0.01F; }),
+      material([](M& m) { m.needle_friction_coefficient = -0.01F; }),
       [](Owner& o) { o.voxel_edge_m = 0.99e-4F; },
       [](Owner& o) { o.origin_y_m = -100.1F; },
   };

@@ -54,6 +54,9 @@ struct NeedleConfig {
   // Half of the tip's included angle: from its axis to its surface. It says how fast contact
   // widens. 15 degrees.
   float tip_half_angle_rad = 0.261799388F;
+  // Length of the crack that the tip tears, in outer diameters: 1 for a tip with edges, more for
+  // one that has none (hal/base/needles.h). Only felt in tissues whose toughness is given.
+  float torn_diameters = 1.5F;
 };
 
 // All attachments move together in a prescribed way, A sin^4(pi t / T): a breath that rests at its

@@ -30,8 +30,13 @@ constexpr float kMaxVoxelEdgeM = 0.1F;
 constexpr float kMaxPoissonRatio = 0.49F;
 constexpr float kMinYoungsModulusPa = 1.0F;
 constexpr float kMaxYoungsModulusPa = 1e9F;
-constexpr float kMaxMembraneNPerM = 1e5F;  // 1 mm of 100 MPa
+constexpr float kMaxMembraneNPerM = 1e5F;     // 1 mm of 100 MPa
 constexpr float kMaxStrainStiffening = 1e3F;  // a shear of 4.5 % doubles the modulus
+// Puncture, cutting and friction as they are written. What follows from a tissue's toughness and
+// from the needle is no more: it is held there.
+constexpr float kMaxTipForceN = 1000.0F;
+constexpr float kMaxFrictionNPerM = 1e4F;
+constexpr float kMaxToughnessJPerM2 = 1e5F;  // thrice that of skin torn without a blade
 
 // ---- configuration: checked by sizes and create -------------------------------------------------
 constexpr std::uint32_t kMaxSubsteps = 32;
@@ -50,6 +55,10 @@ constexpr float kMaxBentAngleRad = 1.0F;
 // would be as wide as the needle only 18 radii deep; a blunter one is almost a flat punch.
 constexpr float kMinTipHalfAngleRad = 0.0872664626F;
 constexpr float kMaxTipHalfAngleRad = 1.39626340F;
+// Length of the crack that a tip tears, in outer diameters. Beyond: create refuses. No tip tears
+// less than a tenth; a blunt one that punches out a ring tears pi.
+constexpr float kMinTornDiameters = 0.1F;
+constexpr float kMaxTornDiameters = 5.0F;
 constexpr float kMaxBreathM = 0.1F;
 constexpr float kMaxGravityMPerS2 = 100.0F;  // tenfold
 constexpr std::uint32_t kMaxNeedles = 4;

@@ -25,13 +25,14 @@ namespace stylet {
   F(relaxing_fraction, 0, 0.95F, "0 to 0.95", "relaxing_fraction", 1, true)                        \
   F(relaxation_time_s, 1e-3F, 1e5F, "0.001 to 1e5", "relaxation_time_s", 1, true)                  \
   /* to enter this material, from outside or from another */                                       \
-  F(puncture_force_n, 0, 1000, "0 to 1000", "puncture_force_n", 1, true)                           \
+  F(puncture_force_n, 0, kMaxTipForceN, "0 to 1000", "puncture_force_n", 1, true)                  \
   /* at the tip while it advances; the part of it in a track that is there already */              \
-  F(cutting_force_n, 0, 1000, "0 to 1000", "cutting_force_n", 1, true)                             \
+  F(cutting_force_n, 0, kMaxTipForceN, "0 to 1000", "cutting_force_n", 1, true)                    \
   F(recut_fraction, 0, 1, "0 to 1", "recut_fraction", 1, true)                                     \
   /* per metre of shaft while sliding, and at rest, which is never less */                         \
-  F(coulomb_friction_n_per_m, 0, 1e4F, "0 to 1e4", "coulomb_friction_n_per_mm", 1e3, true)         \
-  F(static_friction_n_per_m, 0, 1e4F, "coulomb_friction_n_per_m to 1e4",                           \
+  F(coulomb_friction_n_per_m, 0, kMaxFrictionNPerM, "0 to 1e4", "coulomb_friction_n_per_mm", 1e3,  \
+    true)                                                                                          \
+  F(static_friction_n_per_m, 0, kMaxFrictionNPerM, "coulomb_friction_n_per_m to 1e4",              \
     "static_friction_n_per_mm", 1e3, true)                                                         \
   F(stribeck_velocity_m_per_s, 1e-6F, 10, "1e-6 to 10", "stribeck_velocity_mm_per_s", 1e-3, true)  \
   F(viscous_friction_n_s_per_m2, 0, 1e6F, "0 to 1e6", "viscous_friction_n_s_per_m2", 1, true)      \
@@ -41,7 +42,15 @@ namespace stylet {
   /* stiffness: it adds membrane_n_per_m / (voxel edge) to the voxel's modulus */                  \
   F(membrane_n_per_m, 0, kMaxMembraneNPerM, "0 to 1e5", "membrane_n_per_mm", 1e3, false)           \
   /* how fast the shear modulus grows with the square of the strain (PHYSICS 2.7) */               \
-  F(strain_stiffening, 0, kMaxStrainStiffening, "0 to 1000", "strain_stiffening", 1, false)
+  F(strain_stiffening, 0, kMaxStrainStiffening, "0 to 1000", "strain_stiffening", 1, false)        \
+  /* what a new surface takes: above 0, puncture and cutting follow from it and the needle */      \
+  /* instead of the forces above; n: tearing takes (v / 10 mm/s)^n of it */                        \
+  F(fracture_toughness_j_per_m2, 0, kMaxToughnessJPerM2, "0 to 1e5",                               \
+    "fracture_toughness_j_per_m2", 1, false)                                                       \
+  F(toughness_velocity_exponent, 0, 0.5F, "0 to 0.5", "toughness_velocity_exponent", 1, false)     \
+  /* of steel on it: above 0, friction follows from it and the pressure on the shaft, and the */   \
+  /* friction above only says how it depends on speed */                                           \
+  F(needle_friction_coefficient, 0, 2, "0 to 2", "needle_friction_coefficient", 1, false)
 
 #define STYLET_MATERIAL_FIELD(field, ...) float field;
 struct Material {

@@ -122,7 +122,8 @@ void update_contact(const Model& model, State& state, Scratch& scratch, const Ne
   const bool node_inside = away > model.needle_config().unit_m;
   const bool through = head.rules.unit_punctures
                            ? node_inside
-                           : felt >= puncture_force(state, head.material[tip.material]);
+                           : felt >= puncture_force(model, state, tip.material,
+                                                    model.forces[tip.material].puncture_n);
   if (through || track != kNoTrack) begin_insertion(model, state, scratch, needle, track, felt);
 }
 

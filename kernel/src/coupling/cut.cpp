@@ -15,17 +15,13 @@ namespace {
 
 // The tip reaches the material at its goal within this length of travel.
 constexpr float kMaterialPullM = 1e-3F;
-// Speed for which a material's puncture force is given.
-constexpr float kPunctureSpeedMPerS = 0.01F;
-// Speeds over kPunctureSpeedMPerS between which faster pressing makes a puncture easier.
-constexpr float kSlowestPress = 0.01F, kFastestPress = 100.0F;
 
 }  // namespace
 
-float puncture_force(const State& state, const MaterialModel& m) {
-  const float v =
-      clamp(state.needle->press_m_per_s / kPunctureSpeedMPerS, kSlowestPress, kFastestPress);
-  return m.puncture_n * power(v, -m.puncture_exponent);
+float puncture_force(const Model& model, const State& state, std::uint32_t material,
+                     float given_n) {
+  const float faster = relative_speed(state.needle->press_m_per_s);
+  return given_n * power(faster, -model.head->material[material].puncture_exponent);
 }
 
 namespace {
@@ -75,10 +71,10 @@ void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction
   // A tip at the face between two layers does not change layers with every tremor.
   const float since = tip.track_m - own.layer_track_m;
   if (tip.material == own.layer_before && since < kLayerSkinM && since > -kLayerSkinM) return;
-  const MaterialModel& m = head.material[tip.material];
-  const bool must = m.puncture_n > m.cutting_n && !in_track && own.phase != Phase::kRetracting &&
+  const NeedleForces& f = model.forces[tip.material];
+  const bool must = f.layer_n > f.cutting_n && !in_track && own.phase != Phase::kRetracting &&
                     head.rules.layer_punctures;
-  if (must && axial < puncture_force(state, m)) return;
+  if (must && axial < puncture_force(model, state, tip.material, f.layer_n)) return;
   own.layer_before = own.layer;
   own.layer_track_m = tip.track_m;
   own.layer = tip.material;
@@ -92,10 +88,11 @@ void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction
 // Force that the tip may carry: nothing when pulled, the cutting force when pushed into new tissue,
 // a fraction of it in an existing track, the puncture force at a layer that holds the tip.
 float tip_limit(const Model& model, const State& state, const Particle& tip, bool in_track) {
-  const MaterialModel& m = model.head->material[tip.material];
-  if (in_track) return m.cutting_n * m.recut_fraction;
-  if (tip.material == state.needle->layer) return m.cutting_n;
-  return max_of(puncture_force(state, m), m.cutting_n);
+  const NeedleForces& f = model.forces[tip.material];
+  if (in_track) return f.recut_n;
+  const float cut_n = cutting_n(f, tip.slip_m_per_s);
+  if (tip.material == state.needle->layer) return cut_n;
+  return max_of(puncture_force(model, state, tip.material, f.layer_n), cut_n);
 }
 
 // Where the tip cuts after `advance_m` more; a tip without bevel cuts in its own direction.

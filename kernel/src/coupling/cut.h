@@ -14,8 +14,9 @@
 
 namespace stylet {
 
-// Force that breaks a surface: less if the needle presses faster (Mahvash and Dupont 2010).
-float puncture_force(const State& state, const MaterialModel& m);
+// Force that breaks a surface: less than the given one if the needle presses faster (Mahvash and
+// Dupont 2010).
+float puncture_force(const Model& model, const State& state, std::uint32_t material, float given_n);
 
 // The tip moves on to other tissue as far as it is pressed or pulled beyond its limits, in the
 // direction of the cut. A bevel is pushed aside against the tissue's force: the hand that pushes

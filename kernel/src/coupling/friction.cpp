@@ -45,7 +45,7 @@ namespace {
 // No friction in a gap.
 Friction friction_at(const Model& model, Vec3 rest_m) {
   const std::uint32_t there = material_at(model, rest_m);
-  return there == kNoTissue ? Friction{} : model.head->material[there].friction;
+  return there == kNoTissue ? Friction{} : model.forces[there].friction;
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ Ground ground_under(const Model& model, const Particle& p) {
 Ground ground_of(const Model& model, const Particle& p) {
   const MaterialModel& m = model.head->material[p.material];
   Ground ground = ground_under(model, p);
-  if (m.film.force_n > 0) return ground;
+  if (model.forces[p.material].film.force_n > 0) return ground;
   ground.deep_pa = m.lattice_shear_pa;
   ground.upper_ratio = 1;
   return ground;
@@ -156,18 +156,19 @@ float cotangent_of(const Model& model, const State& state) {
          (kPi * model.needle_config().outer_radius_m);
 }
 
-Punch wanted_punch(const Model& model, const State& state, const MaterialModel& m) {
+Punch wanted_punch(const Model& model, const State& state, std::uint32_t material) {
+  const MaterialModel& m = model.head->material[material];
+  const Film& film = model.forces[material].film;
   const float radius_m = model.needle_config().outer_radius_m;
   const StifferTip stiffer = stiffer_tip(m.stiffening, cotangent_of(model, state), m.poisson_ratio);
   const float cone_m =
       model.head->cone_length_m[state.needle_index] * (stiffer.deep / stiffer.shallow);
   const float punch_n_per_m = 4 * m.shear_pa * radius_m / (1 - m.poisson_ratio) * stiffer.deep;
-  const float press_m = 2 * m.film.force_n / punch_n_per_m;
+  const float press_m = 2 * film.force_n / punch_n_per_m;
   const float bare_m = press_m < cone_m ? std::sqrt(press_m * cone_m) : 0.5F * (press_m + cone_m);
-  const float depth_m = m.film.depth_m;
+  const float depth_m = film.depth_m;
   if (!(depth_m < bare_m)) return {punch_n_per_m, cone_m, 0};
-  return {m.film.force_n / (depth_m * film_shape(m.film.start)), kFilmChange * depth_m,
-          m.film.start};
+  return {film.force_n / (depth_m * film_shape(film.start)), kFilmChange * depth_m, film.start};
 }
 
 }  // namespace
@@ -184,7 +185,7 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   float least = 1 / (kMaxCpWeight * k);
   switch (role) {
     case Role::kSurface:
-      target = wanted_punch(model, state, m).stiffness_n_per_m;
+      target = wanted_punch(model, state, particle.material).stiffness_n_per_m;
       lattice_compliance = surface_compliance(model, ground_of(model, particle), nu);
       least = kLeastOwnPart * lattice_compliance;
       break;
@@ -233,7 +234,7 @@ ContactLaw law_of(const Model& model, const State& state) {
   const float growth = max_of(faster * place_part(ground), 1e-3F);
   const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
   const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
-  const Punch wanted = wanted_punch(model, state, m);
+  const Punch wanted = wanted_punch(model, state, tip.material);
   const float narrower = min_of(punch_n_per_m / wanted.stiffness_n_per_m, 1);
   // The narrower punch keeps the spring of the start.
   const float start = min_of(wanted.start / narrower, kMostStart);

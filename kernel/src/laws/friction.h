@@ -45,6 +45,17 @@ inline Friction friction_of(const Material& m) {
 }
 #undef STYLET_FRICTION_OF
 
+// The same dependence on speed for another Coulomb friction; a tissue that has none written gets
+// it at any speed, besides what is viscous.
+inline Friction scaled(Friction f, float coulomb_n_per_m) {
+  const bool from_nothing = !(f.coulomb_n_per_m > 0);
+  const float factor = from_nothing ? 1 : coulomb_n_per_m / f.coulomb_n_per_m;
+  f.static_n_per_m = from_nothing ? coulomb_n_per_m : factor * f.static_n_per_m;
+  f.viscous_n_s_per_m2 = factor * f.viscous_n_s_per_m2;
+  f.coulomb_n_per_m = from_nothing ? coulomb_n_per_m : factor * f.coulomb_n_per_m;
+  return f;
+}
+
 // Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.
 inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {
   const float s = speed_m_per_s * f.inverse_stribeck_s_per_m;

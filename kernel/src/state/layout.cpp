@@ -75,7 +75,9 @@ View view_of(const Kernel& kernel) {
 
 Model needle_model(const Model& model, std::uint32_t needle) {
   Model out = model;
-  out.rod += static_cast<std::ptrdiff_t>(needle) - model.needle_index;
+  const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(needle) - model.needle_index;
+  out.rod += n;
+  out.forces += n * kMaxMaterials;
   out.needle_index = needle;
   return out;
 }

@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "laws/film.h"
 #include "laws/filter.h"
+#include "laws/fracture.h"
 #include "laws/friction.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
@@ -108,13 +108,10 @@ struct Piece {
 struct MaterialModel {
   float shear_pa, poisson_ratio;  // without its thin skin
   float skin_shear_n_per_m;       // of the skin: modulus times thickness
-  Film film;                      // the skin on the tissue
   // Of a voxel, with the skin spread over it: shear modulus, and lambda over twice that modulus.
   float lattice_shear_pa, lattice_volume_ratio;
   float stiffening;
-  float puncture_n, cutting_n, recut_fraction;
   float puncture_exponent;
-  Friction friction;
   float relaxing_fraction, relaxation_time_s;
   float real_kg, stepped_kg;
 };
@@ -332,6 +329,8 @@ struct ScratchHead {
   F(bound, float, c.filtered_particles)                                                  \
   /* rod: each needle's chain of rods at rest */                                         \
   F(rod, RodModel, c.needles)                                                            \
+  /* forces: what each needle meets in each tissue (laws/fracture.h) */                  \
+  F(forces, NeedleForces, kMaxMaterials* c.needles)                                      \
   /* obstacle: convex bodies, as set_obstacles took them */                              \
   F(obstacle, Obstacle, kMaxObstacles)                                                   \
   /* representative: with sheets only: the particle that each node is */                 \
@@ -447,7 +446,8 @@ class Field {
 
 // A function's signature says what it may write. `const Model&`: derived at creation, constant in a
 // tick. `State&`: what a tick leaves to the next one. `Scratch&`: what it keeps within itself. The
-// fields of one needle (rod; needle, shaft, tip, rod_shape, node, touch) are `needle_index`'s.
+// fields of one needle (rod, forces; needle, shaft, tip, rod_shape, node, touch) are
+// `needle_index`'s.
 #define STYLET_FIELD(name, type, count) Field<type> name;
 struct Model {
   STYLET_MODEL_FIELDS(STYLET_FIELD)

@@ -132,7 +132,7 @@ inline Vec3 hold_one_shaft_particle(Rig& rig, Vec3 rest_m, float stiffness_n_per
   Particle& p = view.state.shaft[0];
   p = {};
   p.arc_m = kTipBeyondM;
-  p.friction = view.model.head->material[0].friction;
+  p.friction = view.model.forces[0].friction;
   p.friction_length_m = view.model.needle_config().unit_m;
   hold_tissue(view, p, rest_m, stiffness_n_per_m);
   Particle& tip = *view.state.tip;

@@ -54,7 +54,7 @@ Rig insert_needle(Grid grid, float poisson, Vec3 tip_m) {
 // Lets the row end with half a unit at either end, and makes friction so large that nothing slips.
 void stick(Rig& rig) {
   View view = needle_view(rig.view(), 0);
-  view.model.head->material[0].cutting_n = 1e4F;
+  view.model.forces[0].cutting_n = 1e4F;
   for (std::uint32_t i = 0; i < view.state.needle->shaft_count; ++i) {
     Friction& friction = view.state.shaft[i].friction;
     friction.coulomb_n_per_m = friction.static_n_per_m = 1e4F;
