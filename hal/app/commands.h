@@ -96,6 +96,9 @@ struct DoctorOptions {
 };
 int doctor(const DoctorOptions& options);
 
+// Prints the needles that a scene may name (hal/base/needles.h).
+int list_needles(bool json);
+
 struct DevicesOptions {
   std::string root = "/";  // or the root of a captured tree
   bool json = false;

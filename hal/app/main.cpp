@@ -320,6 +320,15 @@ constexpr const char* kFooter =
     "Exit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a fault that stands at\n"
     "the end, a replay with other results or a doubtful machine, 4 a machine not fit for real time";
 
+void add_lists(CLI::App& program, bool& scenes_json, bool& needles_json) {
+  CLI::App& scenes = *program.add_subcommand(
+      "scenes", "List the scenes that come with Stylet, to run by their name");
+  add_json(scenes, scenes_json, "one JSON array");
+  CLI::App& needles = *program.add_subcommand(
+      "needles", "List the needles that a scene may name: diameters, stiffness and tip");
+  add_json(needles, needles_json, "one JSON array");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App program("Haptic needle insertion: runs scenes, repeats and draws their recordings",
                    "stylet");
@@ -333,10 +342,8 @@ int dispatch(int argc, char** argv) {
   PlotOptions plot_options;
   DoctorOptions doctor_options;
   add_run(program, run_options);
-  bool scenes_json = false;
-  CLI::App& scenes = *program.add_subcommand(
-      "scenes", "List the scenes that come with Stylet, to run by their name");
-  add_json(scenes, scenes_json, "one JSON array");
+  bool scenes_json = false, needles_json = false;
+  add_lists(program, scenes_json, needles_json);
   add_playback(program, playback_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
@@ -355,13 +362,14 @@ int dispatch(int argc, char** argv) {
     program.parse(argc, argv);
     if (program.get_subcommands().empty()) {
       throw CLI::RequiredError(
-          "A command (run, scenes, console, replay, plot, score, devices, station, doctor or "
-          "bench)");
+          "A command (run, scenes, needles, console, replay, plot, score, devices, station, "
+          "doctor or bench)");
     }
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
   if (program.got_subcommand("scenes")) return list_scenes(scenes_json);
+  if (program.got_subcommand("needles")) return list_needles(needles_json);
   if (program.got_subcommand("run")) {
     run_options.scene = scene_file(run_options.scene);
     run_options.igtl.on = program.get_subcommand("run")->count("--igtl") > 0;

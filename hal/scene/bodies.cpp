@@ -8,38 +8,27 @@
 #include <numbers>
 
 #include "hal/base/angle.h"
+#include "hal/base/needles.h"
 #include "hal/base/rotation.h"
 #include "stylet/limits.h"
 
 namespace stylet::hal {
 namespace {
 
-constexpr double kSteelGpa = 200;
-constexpr double kNitinolGpa = 75;
-
-struct Gauge {
-  const char* name;
-  double outer_mm, inner_mm, length_mm, youngs_modulus_gpa;
-};
-constexpr std::array kGauges = {Gauge{"17G", 1.473, 1.067, 90, kSteelGpa},
-                                Gauge{"18G", 1.270, 0.838, 150, kSteelGpa},
-                                Gauge{"20G", 0.9081, 0.603, 150, kSteelGpa},
-                                Gauge{"22G", 0.7176, 0.413, 150, kSteelGpa},
-                                Gauge{"25G", 0.5144, 0.260, 90, kSteelGpa},
-                                Gauge{"nitinol-0.46", 0.46, 0, 200, kNitinolGpa},
-                                Gauge{"nitinol-0.58", 0.58, 0, 200, kNitinolGpa},
-                                Gauge{"nitinol-0.70", 0.70, 0, 200, kNitinolGpa},
-                                Gauge{"nitinol-1.0", 1.0, 0, 200, kNitinolGpa}};
-
 double in_mm(float metres) {
   return std::round(static_cast<double>(metres) * 1e3);
 }
 
-// A gauge by its name, or the scene's own diameters.
-Gauge read_gauge(Section& needle) {
+template <typename Table>
+std::vector<const char*> names_of(const Table& table) {
   std::vector<const char*> names;
-  for (const Gauge& each : kGauges) names.push_back(each.name);
-  const char* key = needle.has("preset") ? "preset" : "gauge";  // preset: the older name of gauge
+  for (const auto& each : table) names.push_back(each.name);
+  return names;
+}
+
+// A needle by its name, with the scene's own diameters and modulus where it has any.
+NeedlePreset read_gauge(Section& needle) {
+  const char* key = needle.has("preset") ? "preset" : "gauge";  // two names of one key
   if (needle.has("gauge") && needle.has("preset")) needle.fail("preset", "either gauge or preset");
   (void)needle.get("gauge");
   (void)needle.get("preset");
@@ -47,11 +36,7 @@ Gauge read_gauge(Section& needle) {
   if (!needle.has("od_mm") && needle.has("id_mm")) {
     needle.fail("id_mm", "this key only with od_mm, as a gauge has its own");
   }
-  const std::string name = needle.choice(key, "18G", names);
-  Gauge gauge = {};
-  for (const Gauge& each : kGauges) {
-    if (name == each.name) gauge = each;
-  }
+  NeedlePreset gauge = *find_needle(needle.choice(key, "18G", names_of(needle_presets())));
   if (needle.has("od_mm")) gauge.inner_mm = 0;
   gauge.outer_mm = needle.number("od_mm", gauge.outer_mm, 0.05, 10);
   gauge.inner_mm = needle.number("id_mm", gauge.inner_mm, 0, 0.99 * gauge.outer_mm);
@@ -64,18 +49,14 @@ Gauge read_gauge(Section& needle) {
   return gauge;
 }
 
-double bending_nm2(const Gauge& gauge) {
-  const double outer_m = gauge.outer_mm * 1e-3, inner_m = gauge.inner_mm * 1e-3;
-  const double outer_m2 = outer_m * outer_m, inner_m2 = inner_m * inner_m;
-  return gauge.youngs_modulus_gpa * 1e9 * std::numbers::pi / 64 *
-         (outer_m2 * outer_m2 - inner_m2 * inner_m2);
-}
-
 // Keys for one kind of tip are refused with another kind, as they would do nothing.
-void read_tip(Section& needle, NeedleConfig& config) {
+void read_tip(Section& needle, const NeedlePreset& preset, NeedleConfig& config) {
   config.tip_half_angle_rad =
-      si(needle.number("half_angle_deg", 15, 5, 80), std::numbers::pi / 180);
-  const std::string tip = needle.choice("tip", "conical", {"conical", "diamond", "bevel", "bent"});
+      si(needle.number("half_angle_deg", preset.half_angle_deg, 5, 80), std::numbers::pi / 180);
+  const std::string tip = needle.choice("tip", preset.tip, names_of(tip_kinds()));
+  config.torn_diameters = static_cast<float>(needle.number(
+      "torn_diameters", find_tip(tip)->torn_diameters, static_cast<double>(kMinTornDiameters),
+      static_cast<double>(kMaxTornDiameters)));
   if (tip != "bevel" && needle.has("curvature_per_m")) {
     needle.fail("curvature_per_m", "this key only with tip = \"bevel\"");
   }
@@ -84,7 +65,7 @@ void read_tip(Section& needle, NeedleConfig& config) {
     (void)needle.get(key);
   }
   const double curvature =
-      needle.number("curvature_per_m", 5, 0.01, static_cast<double>(kMaxBevelPerM));
+      needle.number("curvature_per_m", kBevelPerM, 0.01, static_cast<double>(kMaxBevelPerM));
   if (tip == "bevel") config.bevel_per_m = static_cast<float>(curvature);
   if (tip != "bent") return;
   config.bent_length_m =
@@ -179,18 +160,20 @@ Quat turned(const std::array<double, 3>& degrees) {
 
 NeedleConfig read_needle(Section& needle) {
   NeedleConfig config;
-  const Gauge gauge = read_gauge(needle);
+  const NeedlePreset gauge = read_gauge(needle);
+  const double stiffness_nm2 =
+      bending_nm2(gauge.outer_mm, gauge.inner_mm, gauge.youngs_modulus_gpa);
   config.outer_radius_m = si(gauge.outer_mm, 0.5e-3);
   config.length_m =
       si(needle.number("length_mm", gauge.length_mm, 1, in_mm(kMaxNeedleLengthM)), 1e-3);
   config.unit_m = si(needle.number("unit_mm", 5, 0.1, 50), 1e-3);
-  if (needle.flag("flexible", false)) config.bending_nm2 = static_cast<float>(bending_nm2(gauge));
+  if (needle.flag("flexible", false)) config.bending_nm2 = static_cast<float>(stiffness_nm2);
   // GJ = E 2 I / (2 (1 + nu)), nu 0.3 for steel and nitinol.
   if (needle.flag("roll_lag", false)) {
-    config.torsion_nm2 = static_cast<float>(bending_nm2(gauge) / 1.3);
+    config.torsion_nm2 = static_cast<float>(stiffness_nm2 / 1.3);
   }
   config.rods = static_cast<std::uint32_t>(needle.integer("rods", config.rods, 1, kMaxRods));
-  read_tip(needle, config);
+  read_tip(needle, gauge, config);
   return config;
 }
 

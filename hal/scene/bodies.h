@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The things in a scene: the needle, what it cannot enter, and the targets that it shall reach.
-//
-// Needles by gauge: outer and inner diameter of regular-wall tubes from the usual gauge table; E of
-// 304/316 steel 200 GPa (data sheets: 193 to 200) and of austenitic nitinol 75 GPa (quoted: 40 to
-// 83); lengths as these needles are sold. EI = E pi (OD^4 - ID^4) / 64.
+// Needles by name, and what they have of their own: hal/base/needles.h.
 #pragma once
 
 #include <array>

@@ -212,7 +212,7 @@ TEST(Scene, MistakesOfTheFileAndTheLoop) {
 
 TEST(Scene, MistakesOfNeedles) {
   expect_refusals({
-      {"gauge = \"22G\"", "gauge = \"21G\"", "21G", "\"18G\" or \"20G\""},
+      {"gauge = \"22G\"", "gauge = \"28G\"", "28G", "\"17G\" or \"18G\""},
       {"unit_mm = 4", "unit_mm = 4\nod_mm = 1", "gauge", "either gauge or od_mm"},
       {"unit_mm = 4", "preset = \"18G\"", "preset", "either gauge or preset"},
       {"unit_mm = 4", "unit_mm = 60", "unit_mm", "a number from 0.1 to 50"},
@@ -623,8 +623,8 @@ TEST(Scene, SeveralNeedlesRefuse) {
   EXPECT_THAT(error_of(kTwo + "[approach]\nstart_mm = 3\n"),
               testing::HasSubstr("s.toml:17: approach: "));
   std::string text = kTwo;
-  text.replace(text.find("25G"), 3, "26G");
-  EXPECT_THAT(error_of(text), testing::StartsWith("s.toml:9: needles.gauge: '26G': "));
+  text.replace(text.find("25G"), 3, "28G");
+  EXPECT_THAT(error_of(text), testing::StartsWith("s.toml:9: needles.gauge: '28G': "));
   EXPECT_THAT(error_of(kTwo + kTwo + kTwo), testing::HasSubstr("at most 4 needles"));
   text = kTwo;
   text.replace(text.find("[needles.device]"), 16, "[needles.devise]");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/hosts/c/configuration.h"
 
+#include "hal/base/needles.h"
 #include "hal/hosts/c/plain.h"
 #include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
@@ -24,9 +25,9 @@ stylet_config to_struct(const Config& c) {
 }
 
 stylet_needle to_struct(const NeedleConfig& n) {
-  return {sizeof(stylet_needle), n.length_m,    n.outer_radius_m,    n.unit_m,
-          n.bending_nm2,         n.rods,        n.bevel_per_m,       n.bent_length_m,
-          n.bent_angle_rad,      n.torsion_nm2, n.tip_half_angle_rad};
+  return {sizeof(stylet_needle), n.length_m,    n.outer_radius_m,     n.unit_m,
+          n.bending_nm2,         n.rods,        n.bevel_per_m,        n.bent_length_m,
+          n.bent_angle_rad,      n.torsion_nm2, n.tip_half_angle_rad, n.torn_diameters};
 }
 
 // The kernel's default contact on a body of some shape: without one it would be refused.
@@ -75,8 +76,9 @@ void put_config(const stylet_config& c, Config& out) {
 }
 
 NeedleConfig needle(const stylet_needle& n) {
-  return {n.length_m,    n.outer_radius_m, n.unit_m,         n.bending_nm2, n.rods,
-          n.bevel_per_m, n.bent_length_m,  n.bent_angle_rad, n.torsion_nm2, n.tip_half_angle_rad};
+  return {n.length_m,    n.outer_radius_m,     n.unit_m,        n.bending_nm2,
+          n.rods,        n.bevel_per_m,        n.bent_length_m, n.bent_angle_rad,
+          n.torsion_nm2, n.tip_half_angle_rad, n.torn_diameters};
 }
 
 }  // namespace
@@ -134,6 +136,24 @@ stylet_status stylet_config_init(stylet_config* config, size_t struct_bytes) {
 
 stylet_status stylet_needle_init(stylet_needle* needle, size_t struct_bytes) {
   return c::init(c::to_struct(NeedleConfig{}), needle, struct_bytes);
+}
+
+stylet_status stylet_needle_preset(stylet_needle* needle, const char* name) {
+  if (needle == nullptr || name == nullptr) return STYLET_ARGUMENT_MISSING;
+  stylet_needle own = c::to_struct(NeedleConfig{});
+  if (!c::take(needle, own)) return STYLET_STRUCT_SIZE_UNKNOWN;
+  const hal::NeedlePreset* const preset = hal::find_needle(name);
+  if (preset == nullptr) return STYLET_ARGUMENT_OUT_OF_RANGE;
+  NeedleConfig config = hal::needle_of(*preset);
+  config.unit_m = own.unit_m;
+  config.rods = own.rods;
+  (void)c::give(c::to_struct(config), needle);
+  return STYLET_OK;
+}
+
+const char* stylet_needle_preset_name(uint32_t index) {
+  const auto all = hal::needle_presets();
+  return index < all.size() ? all[index].name : nullptr;
 }
 
 stylet_status stylet_obstacle_init(stylet_obstacle* obstacle, size_t struct_bytes) {

@@ -40,16 +40,16 @@ constexpr auto fields(const stylet_organ_info& of) {
   return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
 constexpr auto fields(const stylet_material& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
 }
 constexpr auto fields(const stylet_config& of) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = of;
   return spans(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 constexpr auto fields(const stylet_needle& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 constexpr auto fields(const stylet_obstacle& of) {
   const auto& [a, b, c, d, e, f, g, h] = of;
@@ -72,8 +72,8 @@ constexpr auto fields(const stylet_energy& of) {
   return spans(a, b, c, d, e, f, g, h, i, j, k);
 }
 constexpr auto fields(const stylet_guard_config& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
 }
 constexpr auto fields(const stylet_sample& of) {
   const auto& [a, b, c, d, e] = of;

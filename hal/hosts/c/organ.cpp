@@ -205,7 +205,10 @@ stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t inde
                                m.viscous_friction_n_s_per_m2,
                                m.puncture_velocity_exponent,
                                m.membrane_n_per_m,
-                               m.strain_stiffening};
+                               m.strain_stiffening,
+                               m.fracture_toughness_j_per_m2,
+                               m.toughness_velocity_exponent,
+                               m.needle_friction_coefficient};
   return c::answer(out, material_out);
 }
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Stylet in MATLAB and Octave: one MEX function over the C interface, which stylet.m makes into
- * calls with names. Handles are numbers that stylet.m keeps; each is looked up here, so that a wrong
- * or freed one is an error and nothing else. Places and forces are columns: 3 x n doubles. */
+ * calls with names. Handles are numbers that stylet.m keeps; each is looked up here, so that a
+ * wrong or freed one is an error and nothing else. Places and forces are columns: 3 x n doubles. */
 #include <mex.h>
 #include <stdlib.h>
 #include <string.h>
-
 #include <stylet/stylet.h>
 
 #define MOST_HANDLES 4096
@@ -237,6 +236,7 @@ static void create(mxArray** out, const mxArray** in) {
       {"bent_angle_rad", &n.bent_angle_rad, NULL, NULL},
       {"torsion_nm2", &n.torsion_nm2, NULL, NULL},
       {"tip_half_angle_rad", &n.tip_half_angle_rad, NULL, NULL},
+      {"torn_diameters", &n.torn_diameters, NULL, NULL},
   };
   take_fields(in[1], of_needle, sizeof of_needle / sizeof *of_needle, "needle");
   take_fields(in[2], of_config, sizeof of_config / sizeof *of_config, "config");
@@ -262,10 +262,10 @@ static void run(mxArray** out, const mxArray** in) {
   }
   for (size_t i = 0; i < ticks; ++i) {
     const double* p = poses + 7 * i;
-    const stylet_input input = {
-        sizeof input, 1,
-        {{(float)p[0], (float)p[1], (float)p[2]},
-         {(float)p[3], (float)p[4], (float)p[5], (float)p[6]}}};
+    const stylet_input input = {sizeof input,
+                                1,
+                                {{(float)p[0], (float)p[1], (float)p[2]},
+                                 {(float)p[3], (float)p[4], (float)p[5], (float)p[6]}}};
     stylet_output o = {.struct_bytes = sizeof o};
     check(stylet_simulation_tick(simulation, &input, 1, &o, 1), NULL);
     const double all[8][3] = {{o.force_n.x, o.force_n.y, o.force_n.z},
@@ -293,9 +293,8 @@ static void pose_of_tip(mxArray** out, const mxArray** in) {
     const stylet_pose pose = stylet_pose_of_tip(
         (stylet_vec3){(float)tips[3 * i], (float)tips[3 * i + 1], (float)tips[3 * i + 2]},
         (stylet_vec3){(float)way[0], (float)way[1], (float)way[2]}, (float)length);
-    const double all[7] = {pose.position_m.x, pose.position_m.y, pose.position_m.z,
-                           pose.rotation.w,   pose.rotation.x,   pose.rotation.y,
-                           pose.rotation.z};
+    const double all[7] = {pose.position_m.x, pose.position_m.y, pose.position_m.z, pose.rotation.w,
+                           pose.rotation.x,   pose.rotation.y,   pose.rotation.z};
     memcpy(to + 7 * i, all, sizeof all);
   }
 }
@@ -311,8 +310,8 @@ static void surface(mxArray** out, const mxArray** in) {
 
 static void needle_shape(mxArray** out, const mxArray** in) {
   stylet_vec3 nodes[STYLET_MAX_RODS + 1];
-  const uint32_t count = stylet_simulation_needle_shape(handle_of(in[0], SIMULATION), 0, nodes,
-                                                        STYLET_MAX_RODS + 1);
+  const uint32_t count =
+      stylet_simulation_needle_shape(handle_of(in[0], SIMULATION), 0, nodes, STYLET_MAX_RODS + 1);
   out[0] = places(nodes, count);
 }
 
@@ -358,10 +357,12 @@ static const struct {
   int arguments;
   void (*call)(mxArray** out, const mxArray** in);
 } commands[] = {
-    {"organ", 1, open_organ},     {"info", 1, organ_info},   {"raycast", 3, raycast},
-    {"simulation", 3, create},    {"run", 2, run},           {"pose_of_tip", 3, pose_of_tip},
-    {"surface", 1, surface},      {"shape", 1, needle_shape}, {"events", 1, events},
-    {"hash", 1, hash},            {"reset", 1, reset},       {"free", 1, free_one},
+    {"organ", 1, open_organ}, {"info", 1, organ_info},
+    {"raycast", 3, raycast},  {"simulation", 3, create},
+    {"run", 2, run},          {"pose_of_tip", 3, pose_of_tip},
+    {"surface", 1, surface},  {"shape", 1, needle_shape},
+    {"events", 1, events},    {"hash", 1, hash},
+    {"reset", 1, reset},      {"free", 1, free_one},
     {"version", 0, version},
 };
 
@@ -376,8 +377,7 @@ void mexFunction(int out_count, mxArray* out[], int in_count, const mxArray* in[
   for (size_t i = 0; i < sizeof commands / sizeof *commands; ++i) {
     if (strcmp(name, commands[i].name) != 0) continue;
     if (in_count - 1 != commands[i].arguments) {
-      mexErrMsgIdAndTxt("stylet:refused", "%s: expected %d arguments", name,
-                        commands[i].arguments);
+      mexErrMsgIdAndTxt("stylet:refused", "%s: expected %d arguments", name, commands[i].arguments);
     }
     commands[i].call(out, in + 1);
     return;

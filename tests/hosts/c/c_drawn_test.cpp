@@ -5,6 +5,7 @@
 // beyond what was given is touched. Handles that were freed are left out: the caller must know
 // them.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -321,6 +322,21 @@ struct Wanted {
   std::uint32_t count;
   Rows<stylet_needle> needles;
 };
+
+void add_needles(Calls& calls) {
+  calls["stylet_needle_preset"] = [](World& w) {
+    Rows<stylet_needle> of(w.draw, 1, defaults<stylet_needle, stylet_needle_init>());
+    const std::array<const char*, 4> names = {"22G-quincke", "trocar-3mm", "", nullptr};
+    expect_known(stylet_needle_preset(of.get(), names[w.draw.below(4)]));
+  };
+  calls["stylet_needle_preset_name"] = [](World& w) {
+    const char* const name = stylet_needle_preset_name(w.draw.below(100));
+    stylet_needle needle;
+    ASSERT_EQ(stylet_needle_init(&needle, sizeof needle), STYLET_OK);
+    EXPECT_EQ(stylet_needle_preset(&needle, name),
+              name != nullptr ? STYLET_OK : STYLET_ARGUMENT_MISSING);
+  };
+}
 
 void add_creation(Calls& calls) {
   calls["stylet_config_init"] = [](World& w) {
@@ -778,8 +794,9 @@ void add_names(Calls& calls) {
 
 Calls all_calls() {
   Calls calls;
-  for (const auto add : {add_organs, add_what_organs_tell, add_creation, add_ticks, add_states,
-                         add_views, add_batches, add_guards, add_devices, add_loops, add_names}) {
+  for (const auto add :
+       {add_organs, add_what_organs_tell, add_needles, add_creation, add_ticks, add_states,
+        add_views, add_batches, add_guards, add_devices, add_loops, add_names}) {
     add(calls);
   }
   return calls;

@@ -255,6 +255,8 @@ TEST(CSimulation, AValueOutsideIsReportedWithFieldAndLimits) {
       {"needle.rods", [](stylet_config&, stylet_needle& n) { n.rods = 129; }, 129, 1, 128},
       {"needle.bent_length_m", [](stylet_config&, stylet_needle& n) { n.bent_length_m = 0.2F; },
        0.2, 0, 0.15},
+      {"needle.torn_diameters", [](stylet_config&, stylet_needle& n) { n.torn_diameters = 6; }, 6,
+       0.1, 5},
       {"needle.tip_half_angle_rad",
        [](stylet_config&, stylet_needle& n) { n.tip_half_angle_rad = 0; }, 0, 0.0872664626,
        1.3962634},
@@ -311,6 +313,33 @@ TEST(CSimulation, ObstaclesOutsideAreReportedAndChangeNothing) {
   ASSERT_EQ(stylet_simulation_tick(simulation.get(), &in, 1, nullptr, 0), STYLET_OK);
   EXPECT_EQ(stylet_simulation_set_obstacles(simulation.get(), bones.data(), 1, &why),
             STYLET_OBSTACLES_TOO_LATE);
+}
+
+// OD 0.5144 and ID 0.260 mm of steel, E pi (D^4 - d^4) / 64; a bevel tears as long as it is wide.
+TEST(CNeedle, HasThePresetOfItsName) {
+  stylet_needle needle;
+  ASSERT_EQ(stylet_needle_init(&needle, sizeof needle), STYLET_OK);
+  needle.unit_m = 3e-3F;
+  needle.rods = 40;
+  ASSERT_EQ(stylet_needle_preset(&needle, "25G-quincke"), STYLET_OK);
+  EXPECT_NEAR(static_cast<double>(needle.outer_radius_m), 0.2572e-3, 1e-9);
+  EXPECT_NEAR(static_cast<double>(needle.bending_nm2) / 6.425e-4, 1, 1e-3);
+  EXPECT_EQ(needle.torn_diameters, 1);
+  EXPECT_EQ(needle.bevel_per_m, 5);
+  EXPECT_EQ(needle.unit_m, 3e-3F);
+  EXPECT_EQ(needle.rods, 40U);
+  const stylet_needle before = needle;
+  EXPECT_EQ(stylet_needle_preset(&needle, "25G-sharp"), STYLET_ARGUMENT_OUT_OF_RANGE);
+  EXPECT_EQ(std::memcmp(&needle, &before, sizeof needle), 0);
+  bool listed = false;
+  std::uint32_t count = 0;
+  for (; stylet_needle_preset_name(count) != nullptr; ++count) {
+    const std::string name = stylet_needle_preset_name(count);
+    EXPECT_EQ(stylet_needle_preset(&needle, name.c_str()), STYLET_OK);
+    listed = listed || name == "25G-quincke";
+  }
+  EXPECT_TRUE(listed);
+  EXPECT_GT(count, 30U);
 }
 
 // In memory of the caller at any address the bits are the same as in the library's own.

@@ -48,6 +48,7 @@ inline stylet_needle to_c(const NeedleConfig& n) {
   out.bevel_per_m = n.bevel_per_m;
   out.torsion_nm2 = n.torsion_nm2;
   out.tip_half_angle_rad = n.tip_half_angle_rad;
+  out.torn_diameters = n.torn_diameters;
   return out;
 }
 
@@ -76,6 +77,7 @@ inline DrawnConfig drawn_config(Draw& draw) {
     needle.bevel_per_m = draw.chance(0.5) ? 0 : draw.between(0, 8);
     needle.torsion_nm2 = draw.chance(0.5) ? 0 : draw.magnitude(1e-3, 0.1);
     needle.tip_half_angle_rad = draw.between(0.15, 0.6);
+    needle.torn_diameters = draw.between(0.5, 3);
     out.needles.push_back(to_c(needle));
   }
   return out;

@@ -140,6 +140,18 @@ class State(unittest.TestCase):
                                    atol=1e-6)
 
 
+class Needles(unittest.TestCase):
+    def test_have_the_presets_of_their_names(self):
+        """18G: E pi (OD^4 - ID^4) / 64 with 200 GPa, 1.270 and 0.838 mm."""
+        needle = stylet.Needle.preset("18G-tuohy", unit_m=0.004)
+        self.assertAlmostEqual(needle.outer_radius_m, 0.635e-3, places=9)
+        self.assertAlmostEqual(needle.bending_nm2 / 2.070e-2, 1, places=3)
+        self.assertAlmostEqual(needle.torn_diameters, np.pi / 2, places=6)
+        self.assertAlmostEqual(needle.unit_m, 0.004, places=9)
+        with self.assertRaisesRegex(ValueError, "'18G-sharp': expected one of 17G, .*18G-tuohy"):
+            stylet.Needle.preset("18G-sharp")
+
+
 class Refused(unittest.TestCase):
     def refusal(self, call, *arguments, **named):
         with self.assertRaises(stylet.StyletError) as caught:

@@ -79,7 +79,8 @@ static const struct {
                 {"bent_length_m", offsetof(stylet_needle, bent_length_m)},
                 {"bent_angle_rad", offsetof(stylet_needle, bent_angle_rad)},
                 {"torsion_nm2", offsetof(stylet_needle, torsion_nm2)},
-                {"tip_half_angle_rad", offsetof(stylet_needle, tip_half_angle_rad)}};
+                {"tip_half_angle_rad", offsetof(stylet_needle, tip_half_angle_rad)},
+                {"torn_diameters", offsetof(stylet_needle, torn_diameters)}};
 
 /* False: there is no such number, or `value` is none. */
 static bool set_number(stylet_needle* needle, const char* name, const godot_variant* value) {

@@ -43,7 +43,10 @@ py::object material_of(const stylet_organ* organ, std::uint32_t index) {
       "stribeck_velocity_m_per_s"_a = m.stribeck_velocity_m_per_s,
       "viscous_friction_n_s_per_m2"_a = m.viscous_friction_n_s_per_m2,
       "puncture_velocity_exponent"_a = m.puncture_velocity_exponent,
-      "membrane_n_per_m"_a = m.membrane_n_per_m, "strain_stiffening"_a = m.strain_stiffening));
+      "membrane_n_per_m"_a = m.membrane_n_per_m, "strain_stiffening"_a = m.strain_stiffening,
+      "fracture_toughness_j_per_m2"_a = m.fracture_toughness_j_per_m2,
+      "toughness_velocity_exponent"_a = m.toughness_velocity_exponent,
+      "needle_friction_coefficient"_a = m.needle_friction_coefficient));
 }
 
 Organ looked_at(stylet_organ* given) {

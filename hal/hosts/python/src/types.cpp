@@ -96,7 +96,8 @@ py::dtype needle_dtype() {
        STYLET_FIELD(stylet_needle, bent_length_m, kFloat),
        STYLET_FIELD(stylet_needle, bent_angle_rad, kFloat),
        STYLET_FIELD(stylet_needle, torsion_nm2, kFloat),
-       STYLET_FIELD(stylet_needle, tip_half_angle_rad, kFloat)},
+       STYLET_FIELD(stylet_needle, tip_half_angle_rad, kFloat),
+       STYLET_FIELD(stylet_needle, torn_diameters, kFloat)},
       sizeof(stylet_needle));
 }
 
@@ -193,6 +194,18 @@ void add_types(py::module_& module) {
              [] { return defaults<stylet_config>(config_dtype(), stylet_config_init); });
   module.def("default_needle",
              [] { return defaults<stylet_needle>(needle_dtype(), stylet_needle_init); });
+  module.def("preset_needle", [](const std::string& name) {
+    py::array row = defaults<stylet_needle>(needle_dtype(), stylet_needle_init);
+    check(stylet_needle_preset(static_cast<stylet_needle*>(row.mutable_data()), name.c_str()));
+    return row;
+  });
+  module.def("needle_presets", [] {
+    py::list names;
+    for (std::uint32_t i = 0; stylet_needle_preset_name(i) != nullptr; ++i) {
+      names.append(stylet_needle_preset_name(i));
+    }
+    return names;
+  });
   module.def("default_obstacle",
              [] { return defaults<stylet_obstacle>(obstacle_dtype(), stylet_obstacle_init); });
   module.def("box_obstacle", [](float x_m, float y_m, float z_m) {

@@ -41,6 +41,7 @@ public struct Needle {
   public float length_m, outer_radius_m, unit_m, bending_nm2;
   public uint rods;
   public float bevel_per_m, bent_length_m, bent_angle_rad, torsion_nm2, tip_half_angle_rad;
+  public float torn_diameters;
 }
 
 [StructLayout(LayoutKind.Sequential)]

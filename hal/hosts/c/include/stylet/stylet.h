@@ -179,6 +179,9 @@ typedef struct {
   float puncture_velocity_exponent;
   float membrane_n_per_m;
   float strain_stiffening;
+  /* Above 0, forces follow from these and from the needle, instead of those above. */
+  float fracture_toughness_j_per_m2, toughness_velocity_exponent;
+  float needle_friction_coefficient;
 } stylet_material;
 STYLET_API stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                                    stylet_material* material_out);
@@ -215,7 +218,7 @@ typedef struct {
   float tissue_damping_s;    /* Kelvin-Voigt time constant */
   float surround_drag_per_s; /* drag of what surrounds the organ, per mass */
   float hourglass_weight;
-  float paper_alpha;                /* mode 1: stiffness factor of goals, 0 to 1 */
+  float paper_alpha;                 /* mode 1: stiffness factor of goals, 0 to 1 */
   stylet_vec3 breathing_amplitude_m; /* of all attachments, A sin^4(pi t / T) */
   float breathing_period_s;
   stylet_vec3 gravity_m_per_s2; /* that the shape at rest does not have in it; comes in over 1 s */
@@ -234,8 +237,16 @@ typedef struct {
   float bent_length_m, bent_angle_rad; /* pre-bent tip */
   float torsion_nm2;                   /* GJ of the shaft; 0: the tip rolls with the hand */
   float tip_half_angle_rad;            /* half of the tip's included angle */
+  /* Length of the crack that the tip tears, in outer diameters: 1 with edges, 1.5 a cone. Felt in
+   * tissues whose toughness is given. */
+  float torn_diameters;
 } stylet_needle;
 STYLET_API stylet_status stylet_needle_init(stylet_needle* needle, size_t struct_bytes);
+/* Makes it the needle of this name, such as "22G-quincke": diameters, length, stiffness (it bends)
+ * and tip; unit_m and rods stay. STYLET_ARGUMENT_OUT_OF_RANGE: there is none of that name. */
+STYLET_API stylet_status stylet_needle_preset(stylet_needle* needle, const char* name);
+/* The names of the needles, by number from 0; null after the last. */
+STYLET_API const char* stylet_needle_preset_name(uint32_t index);
 
 /* A body that no needle enters: the convex hull of the vertices, grown by rounding_m. */
 typedef struct {
@@ -256,12 +267,9 @@ STYLET_API stylet_status stylet_obstacle_sphere(stylet_obstacle* obstacle, float
 typedef struct stylet_simulation stylet_simulation;
 
 /* `needles` may be null for one default needle if needle_count is 0 or 1. */
-STYLET_API stylet_status stylet_simulation_create(const stylet_organ* organ,
-                                                  const stylet_config* config,
-                                                  const stylet_needle* needles,
-                                                  uint32_t needle_count,
-                                                  stylet_simulation** simulation_out,
-                                                  stylet_refusal* refusal_out);
+STYLET_API stylet_status stylet_simulation_create(
+    const stylet_organ* organ, const stylet_config* config, const stylet_needle* needles,
+    uint32_t needle_count, stylet_simulation** simulation_out, stylet_refusal* refusal_out);
 /* For hosts that own all memory: how much create_in asks for, and creation in it. That memory must
  * neither move nor be freed before stylet_simulation_free, which leaves it to the caller. */
 STYLET_API stylet_status stylet_simulation_bytes(const stylet_organ* organ,
@@ -269,13 +277,10 @@ STYLET_API stylet_status stylet_simulation_bytes(const stylet_organ* organ,
                                                  const stylet_needle* needles,
                                                  uint32_t needle_count, size_t* bytes_out,
                                                  stylet_refusal* refusal_out);
-STYLET_API stylet_status stylet_simulation_create_in(const stylet_organ* organ,
-                                                     const stylet_config* config,
-                                                     const stylet_needle* needles,
-                                                     uint32_t needle_count, void* memory,
-                                                     size_t bytes,
-                                                     stylet_simulation** simulation_out,
-                                                     stylet_refusal* refusal_out);
+STYLET_API stylet_status stylet_simulation_create_in(
+    const stylet_organ* organ, const stylet_config* config, const stylet_needle* needles,
+    uint32_t needle_count, void* memory, size_t bytes, stylet_simulation** simulation_out,
+    stylet_refusal* refusal_out);
 /* A second simulation in the same state, which shares the organ. */
 STYLET_API stylet_status stylet_simulation_clone(const stylet_simulation* simulation,
                                                  stylet_simulation** simulation_out);
@@ -339,15 +344,14 @@ STYLET_API stylet_status stylet_simulation_run(stylet_simulation* simulation,
 
 /* The pose whose unbent needle has its tip here and points there: a direction of any length, -z for
  * none. */
-STYLET_API stylet_pose stylet_pose_of_tip(stylet_vec3 tip_m, stylet_vec3 direction,
-                                          float length_m);
+STYLET_API stylet_pose stylet_pose_of_tip(stylet_vec3 tip_m, stylet_vec3 direction, float length_m);
 
 /* ---- what is seen of it */
 
 STYLET_API uint32_t stylet_simulation_needles(const stylet_simulation* simulation);
 /* The deformed surface: one position for each vertex of the organ. */
-STYLET_API uint32_t stylet_simulation_surface(const stylet_simulation* simulation,
-                                              stylet_vec3* out, uint32_t capacity);
+STYLET_API uint32_t stylet_simulation_surface(const stylet_simulation* simulation, stylet_vec3* out,
+                                              uint32_t capacity);
 /* A needle from handle to tip: rods + 1 places, two of a rigid one; none before its first pose. */
 STYLET_API uint32_t stylet_simulation_needle_shape(const stylet_simulation* simulation,
                                                    uint32_t needle, stylet_vec3* out,
@@ -393,8 +397,8 @@ typedef struct {
   uint32_t needle, reserved;
 } stylet_event;
 /* The newest events, oldest first. Returns how many it wrote. */
-STYLET_API uint32_t stylet_simulation_events(const stylet_simulation* simulation,
-                                             stylet_event* out, uint32_t capacity);
+STYLET_API uint32_t stylet_simulation_events(const stylet_simulation* simulation, stylet_event* out,
+                                             uint32_t capacity);
 
 /* ---- how it is */
 

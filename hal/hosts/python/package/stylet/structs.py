@@ -113,6 +113,15 @@ class Needle(Struct):
     bent_angle_rad: float
     torsion_nm2: float
     tip_half_angle_rad: float
+    torn_diameters: float
+
+    @classmethod
+    def preset(cls, name, **fields):
+        """The needle of this name, such as "22G-quincke"; it bends, unless bending_nm2 is 0."""
+        names = _stylet.needle_presets()
+        if name not in names:
+            raise ValueError(f"preset: {name!r}: expected one of {', '.join(names)}")
+        return restored(cls, _stylet.preset_needle(name)).replace(**fields)
 
 
 class Obstacle(Struct):
