@@ -43,6 +43,19 @@ Json material_facts(const Organ& organ) {
   return list;
 }
 
+// What a needle meets: as it is written, or what it follows from.
+std::string forces_text(const Json& m) {
+  const double toughness = m["fracture_toughness_j_per_m2"].get<double>();
+  const double coefficient = m["needle_friction_coefficient"].get<double>();
+  return (toughness > 0 ? fmt::format("toughness {:.4g} J/m2", toughness)
+                        : fmt::format("puncture {:.3g} N  cutting {:.3g} N",
+                                      m["puncture_force_n"].get<double>(),
+                                      m["cutting_force_n"].get<double>())) +
+         (coefficient > 0 ? fmt::format("  friction coefficient {:.3g}", coefficient)
+                          : fmt::format("  friction {:.4g} N/mm",
+                                        m["coulomb_friction_n_per_mm"].get<double>()));
+}
+
 Json byte_facts(const Organ& organ, std::size_t total) {
   const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
                               organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes() +
@@ -188,13 +201,9 @@ std::string organ_text(const nlohmann::ordered_json& f) {
   }
   for (const auto& m : f["materials"]) {
     text += fmt::format(
-        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}  puncture {:.3g} N "
-        " "
-        "cutting {:.3g} N  friction {:.4g} N/mm\n",
+        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}  {}\n",
         m["name"].get<std::string>(), m["voxels"].get<std::size_t>(), m["volume_ml"].get<double>(),
-        m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(),
-        m["puncture_force_n"].get<double>(), m["cutting_force_n"].get<double>(),
-        m["coulomb_friction_n_per_mm"].get<double>());
+        m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(), forces_text(m));
   }
   const auto& b = f["bytes"];
   text += fmt::format(
