@@ -9,7 +9,7 @@ has the programs, whose --help is part of the book.
 
 The book's own pages are in toolchain/book; all others are the repository's own (READMEs,
 PHYSICS.md, GUARD.md, ...), taken as they are. The nav of mkdocs.yml there says which, and in what
-order; a page that one of them links to comes along. A link to another file leads to its listing,
+order; a page that one of them links to comes along. The same sources give the same bytes. A link to another file leads to its listing,
 one to a header of the interface to Doxygen's page of it. Below each figure stand the command that
 makes it (figures.sh) and the commit.
 
@@ -298,6 +298,8 @@ def build(out, programs):
             env={**os.environ, "PYTHONNOUSERSITE": "1"})
         draw_formulas(work / "site")
         search_from_folder(work / "site")
+        for name in ("sitemap.xml", "sitemap.xml.gz"):  # tells the day, and of no address
+            (work / "site" / name).unlink()
         if out.exists():
             shutil.rmtree(out)
         out.parent.mkdir(parents=True, exist_ok=True)

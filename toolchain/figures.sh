@@ -3,7 +3,7 @@
 # Makes every figure and table of the READMEs again, each with its own command.
 #
 #   figures.sh           all that this machine can make in minutes: scenes, page, offline, calculix,
-#                        validation, published
+#                        validation, paper, published
 #   figures.sh NAME...   only these
 #   figures.sh --list    lists which command makes which
 #   figures.sh --check   lists pictures that differ from what scenes do now; a test does this, too
@@ -13,14 +13,15 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-names=(scenes page offline calculix validation published growth speed constants promises)
-usual=(scenes page offline calculix validation published)
+names=(scenes page offline calculix validation paper published growth speed constants promises)
+usual=(scenes page offline calculix validation paper published)
 declare -A makes=(
   [scenes]="hal/scenes/pictures/*.svg"
   [page]="hal/console/pictures/*.png"
   [offline]="offline/docs/quality.md: table of real organs"
   [calculix]="tests/fidelity/calculix/convergence.svg"
   [validation]="toolchain/book/figures/[bc]*.svg"
+  [paper]="toolchain/book/figures/paper.svg, toolchain/book/paper.md: its table"
   [published]="toolchain/book/figures/published.svg"
   [growth]="tests/bench/results/growth.svg"
   [speed]="tests/bench/results/*.csv, README.md: tables of speed"
@@ -33,6 +34,7 @@ declare -A commands=(
   [offline]="offline/figures.py $build/bin/stylet-organ ${STYLET_DATA:-../shared/data}"
   [calculix]="tests/fidelity/calculix/plot.py $build/bin/stylet_calculix_lattice"
   [validation]="tests/fidelity/figures.py $build toolchain/book/figures"
+  [paper]="tests/fidelity/paper.py $build"
   [published]="PYTHONPATH=$build/python offline/python/examples/calibrate.py \
              toolchain/book/figures/published.svg"
   [growth]="tests/bench/growth.py $build/bin/stylet-work --out tests/bench/results"

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "hal/app/commands.h"
+#include "hal/app/palette.h"
 #include "hal/app/plot_look.h"
 #include "hal/base/output_file.h"
 #include "hal/base/vector.h"
@@ -37,17 +38,17 @@ namespace {
 constexpr std::size_t kMaxPoints = 3000;  // more than a printed page can show
 constexpr int kPngScale = 2;              // pixels of a PNG for each of the look's
 
-// The colours are those of hal/palette.csv.
 struct Cause {
   const char* name;
   const char* colour;
   Vec3 ForceByCause::*force;
 };
-constexpr std::array kCauses = {Cause{"stiffness", "#0072b2", &ForceByCause::stiffness_n},
-                                Cause{"cutting", "#c24e00", &ForceByCause::cutting_n},
-                                Cause{"friction", "#009e73", &ForceByCause::friction_n},
-                                Cause{"clamping", "#a8478a", &ForceByCause::clamping_n},
-                                Cause{"obstacle", "#5c3d00", &ForceByCause::obstacle_n}};
+constexpr std::array kCauses = {
+    Cause{"stiffness", palette::kStiffness, &ForceByCause::stiffness_n},
+    Cause{"cutting", palette::kCutting, &ForceByCause::cutting_n},
+    Cause{"friction", palette::kFriction, &ForceByCause::friction_n},
+    Cause{"clamping", palette::kClamping, &ForceByCause::clamping_n},
+    Cause{"obstacle", palette::kObstacle, &ForceByCause::obstacle_n}};
 
 struct Curve {
   std::vector<hal::TrackPoint> track;
@@ -200,8 +201,8 @@ std::string key_of(const Look& look, const Panel& panel, const char* inside) {
 
 std::string causes_over_time(const Curve& curve, const Look& look) {
   std::string plot = fmt::format(
-      "plot $total using 1:2 with lines linewidth {} linecolor rgb '#1d2733' title 'total'",
-      look.total_width);
+      "plot $total using 1:2 with lines linewidth {} linecolor rgb '{}' title 'total'",
+      look.total_width, palette::kTotal);
   for (std::size_t c = 0; c < kCauses.size(); ++c) {
     if (!felt(curve, c)) continue;
     plot +=
@@ -214,10 +215,10 @@ std::string causes_over_time(const Curve& curve, const Look& look) {
 std::string force_over_depth(const Look& look) {
   return fmt::format(
       "set autoscale x\nset xlabel 'Tip travel beyond the first contact / mm'\n"
-      "plot $in using 1:2 with lines linewidth {0} linecolor rgb '#332288' title 'way in', "
-      "$hold using 1:2 with lines linewidth {0} linecolor rgb '#8f8f2b' title 'hold', "
-      "$out using 1:2 with lines linewidth {0} linecolor rgb '#cc6677' title 'way out'\n",
-      look.depth_width);
+      "plot $in using 1:2 with lines linewidth {0} linecolor rgb '{1}' title 'way in', "
+      "$hold using 1:2 with lines linewidth {0} linecolor rgb '{2}' title 'hold', "
+      "$out using 1:2 with lines linewidth {0} linecolor rgb '{3}' title 'way out'\n",
+      look.depth_width, palette::kWayIn, palette::kHold, palette::kWayOut);
 }
 
 std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::uint32_t needle,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long opening waits for a device: until the time is up, or somebody has asked to stop.
+// How long opening waits for a device: until the time is up, or somebody has asked to stop. More
+// seconds than a clock can count, and infinitely many, are no limit.
 #pragma once
 
 #include <atomic>
@@ -12,16 +13,18 @@ inline std::atomic<bool (*)()> g_opening_stops{nullptr};  // stop_opening_when (
 class Patience {
  public:
   explicit Patience(double seconds)
-      : end_(std::chrono::steady_clock::now() +
-             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                 std::chrono::duration<double>(seconds))) {}
+      : end_(seconds < kLongestS ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                      std::chrono::duration<double>(seconds))
+                                 : Clock::time_point::max()) {}
   bool over() const {
     bool (*const stops)() = g_opening_stops.load();
-    return (stops != nullptr && stops()) || std::chrono::steady_clock::now() > end_;
+    return (stops != nullptr && stops()) || Clock::now() > end_;
   }
 
  private:
-  std::chrono::steady_clock::time_point end_;
+  using Clock = std::chrono::steady_clock;
+  static constexpr double kLongestS = 1e9;  // 30 years; the clock ends after 290
+  Clock::time_point end_;
 };
 
 }  // namespace stylet::hal

@@ -14,7 +14,7 @@ import numpy as np
 
 import play
 
-PALETTE = dict(line.split(",") for line in (
+PALETTE = dict(line.split(",")[:2] for line in (
     pathlib.Path(__file__).resolve().parents[1] / "palette.csv").read_text().splitlines()
     if not line.startswith("#"))
 # Of what has no name there; none of the palette's own. Tol's muted scheme, 2021.

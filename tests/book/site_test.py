@@ -3,7 +3,9 @@
 """Builds the book and follows every link of it; or reads its pages in Chromium, from a folder and
 without a network. Skips (77) if what it needs is not installed.
 
-usage: site_test.py build|read SITE [PAGE...]
+usage: site_test.py build|again|read SITE [PAGE...]
+
+again: builds it once more, elsewhere; it has the same bytes.
 
 STYLET_BUILD and STYLET_SOURCE name the folders of the build and of the source.
 """
@@ -13,6 +15,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
 SOURCE, BUILD = (pathlib.Path(os.environ[name]) for name in ("STYLET_SOURCE", "STYLET_BUILD"))
 sys.path[:0] = [str(SOURCE / "toolchain"), str(SOURCE / "toolchain/checks")]
@@ -35,6 +38,23 @@ def build(site):
     if done.returncode != 0:
         return [f"book.py: exit code {done.returncode}"]
     return list(book_site.faults(site.resolve()))
+
+
+def files(top):
+    return {str(path.relative_to(top)): path.read_bytes()
+            for path in top.rglob("*") if path.is_file()}
+
+
+def again(site):
+    if not (site / "index.html").exists():
+        skip(f"no book in {site}")
+    with tempfile.TemporaryDirectory(prefix="another-and-longer-") as name:
+        other = pathlib.Path(name) / "book"
+        subprocess.run([SOURCE / "toolchain/book.py", "--out", other, "--bin", BUILD / "bin"],
+                       check=True, env={**os.environ, "SOURCE_DATE_EPOCH": "1700000000"})
+        one, two = files(site), files(other)
+    return [f"{each}: differs from build to build" for each in sorted(one.keys() | two.keys())
+            if one.get(each) != two.get(each)]
 
 
 def read(site, pages):
@@ -61,6 +81,6 @@ def read(site, pages):
 
 if __name__ == "__main__":
     what, site = sys.argv[1], pathlib.Path(sys.argv[2])
-    found = build(site) if what == "build" else read(site, sys.argv[3:])
+    found = read(site, sys.argv[3:]) if what == "read" else {"build": build, "again": again}[what](site)
     print("\n".join(found))
     sys.exit(bool(found))

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "hal/device/devices.h"
+#include "hal/device/patience.h"
 
 namespace stylet::hal {
 namespace {
@@ -230,6 +232,18 @@ TEST(LastingDevice, AnotherDeviceIsRefusedAndNamed) {
   EXPECT_TRUE(ticks_until(
       device, [&] { return trouble_of(device).empty() && factory.newest().touched > 0; }, seq));
   device.close(device.self);
+}
+
+TEST(Patience, IsOverAfterItsSecondsAndNeverWhereTheyHaveNoEnd) {
+  const auto over_soon = [](double seconds) {
+    const Patience patience(seconds);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return patience.over();
+  };
+  for (const double short_s : {-1.0, 0.0, 1e-3}) EXPECT_TRUE(over_soon(short_s)) << short_s;
+  for (const double long_s : {60.0, 1e9, 1e10, 1e300, std::numeric_limits<double>::infinity()}) {
+    EXPECT_FALSE(over_soon(long_s)) << long_s;
+  }
 }
 
 TEST(LastingDevice, DoesNotDisturbAnother) {

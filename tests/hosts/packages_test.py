@@ -12,10 +12,14 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
 import clean_root
+
+sys.path.insert(0, os.environ["STYLET_SOURCE"] + "/toolchain")
+import book
 
 BUILD = pathlib.Path(os.environ["STYLET_BUILD"])
 SOURCE = pathlib.Path(os.environ["STYLET_SOURCE"])
@@ -58,11 +62,15 @@ def sums(packages):
 
 
 class Packed(unittest.TestCase):
+    with_book = not book.lacking() and (BUILD / "bin/stylet-organ").exists()
+
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.top = pathlib.Path(folder.name)
+        if cls.with_book:
+            call("cmake", "--build", BUILD, "--target", "book_of_packages")
         cls.packages = pack(BUILD, cls.top / "packages", built())
 
 
@@ -94,6 +102,8 @@ class Contents(Packed):
                 (r"/dist-packages/stylet/_stylet.*\.so$", "python3-stylet"),
                 (r"/dist-packages/stylet_organ/_stylet_organ.*\.so$", "python3-stylet-organ"),
                 (r"/share/stylet/README\.md$", "stylet-doc"),
+                *[(r"/share/doc/stylet/book/index\.html$", "stylet-doc"),
+                  (r"/share/doc-base/stylet-doc\.stylet$", "stylet-doc")] * self.with_book,
                 (r"/hosts/unity/package\.json$", "stylet-doc"),
                 (r"/hosts/unity/Runtime/Native\.cs$", "stylet-doc"),
                 (r"/hosts/matlab/stylet_mex\.c$", "stylet-doc"),

@@ -82,7 +82,8 @@ meshes in memory. Unlike Stylet it is under the GPL."
 stylet_package(doc stylet-doc doc "needle insertion for haptic devices, documentation"
   "${about}
 These are its pages, with examples in C and Python, and what programs in
-C#, for Unity, MATLAB, Octave and Godot take of it."
+C#, for Unity, MATLAB, Octave and Godot take of it; and all of the pages
+as a book, to read in a browser, with search and without a network."
   "python3:any")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "stylet-organ")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
@@ -131,9 +132,18 @@ set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/stylet_packing.cmake)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_BINARY_DIR}/stylet_packed.cmake)
 include(CPack)
 
+# The book goes into stylet-doc where it can be built (toolchain/book.py).
+find_program(MKDOCS mkdocs)
+find_program(DOXYGEN doxygen)
+if(TARGET book AND MKDOCS AND DOXYGEN AND EXISTS /usr/share/javascript/katex/katex.mjs)
+  add_custom_target(book_of_packages COMMAND ${PROJECT_SOURCE_DIR}/toolchain/book.py
+    --bin $<TARGET_FILE_DIR:stylet> --out ${PROJECT_BINARY_DIR}/book VERBATIM)
+  add_dependencies(book_of_packages stylet stylet-organ)
+endif()
+
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} -G DEB
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
-foreach(target stylet_shared stylet_kernel stylet_hal stylet_python stylet_organ_python stylet
+foreach(target book_of_packages stylet_shared stylet_kernel stylet_hal stylet_python stylet_organ_python stylet
     stylet-texts stylet-organ stylet-organ-texts stylet-phantom stylet-bench stylet-snapshot)
   if(TARGET ${target})
     add_dependencies(packages ${target})

@@ -62,6 +62,9 @@ foreach(page README.md CHANGELOG.md CONTRIBUTING.md GLOSSARY.md LICENSE kernel/R
   cmake_path(GET page PARENT_PATH folder)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DATADIR}/stylet/${folder} COMPONENT doc)
 endforeach()
+# If the target `packages` built it before.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/book DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/stylet
+  COMPONENT doc OPTIONAL)
 # With which the headers for Godot are made.
 set(tools ${CMAKE_INSTALL_DATADIR}/stylet/toolchain)
 install(PROGRAMS toolchain/debian_source.sh DESTINATION ${tools} COMPONENT doc)

@@ -39,6 +39,20 @@ CHANGES = """stylet ({version}) unstable; urgency=medium
 """
 
 
+BOOK = pathlib.Path("usr/share/doc/stylet/book")
+OF_BOOK = f"""Document: stylet
+Title: Stylet: a needle in soft tissue, felt by the hand
+Author: Stylet contributors
+Abstract: From a first organ to a machine of one's own: scenes, devices, programs
+ around it, safety, the physics and what it was compared with, formats.
+Section: Science/Medicine
+
+Format: HTML
+Index: /{BOOK}/index.html
+Files: /{BOOK}/*.html
+"""
+
+
 def compress(path, data):
     """Without name and time, so that the same text gives the same bytes."""
     with open(path, "wb") as file, gzip.GzipFile("", "wb", 9, file, mtime=0) as packed:
@@ -66,6 +80,14 @@ def put_in_place(top):
         licence.unlink()
 
 
+def register_book(top):
+    """With doc-base, by which desktops list what there is to read."""
+    if (top / BOOK / "index.html").exists():
+        entry = top / "usr/share/doc-base/stylet-doc.stylet"
+        entry.parent.mkdir(parents=True)
+        entry.write_text(OF_BOOK)
+
+
 def make_plain(top, epoch):
     for path in [top, *top.rglob("*")]:
         if not path.is_symlink():
@@ -82,6 +104,7 @@ def prepare(stage, source, build, version):
         if not top.is_dir():
             continue
         put_in_place(top)
+        register_book(top)
         folder = add_pages(top, package, licence, source, version, epoch)
         if objects is not None:
             parts = sbom.document(build, package, version, licence, top, objects)

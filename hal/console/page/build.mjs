@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the page: flatc's accessors into generated/, then dist/ (index.html, app.js, app.css).
+// Builds the page: flatc's accessors and the colours of all figures (hal/palette.csv) into
+// generated/, then dist/ (index.html, app.js, app.css).
 //
 //   node build.mjs [generate] [--out FOLDER]
 //   node build.mjs demo --package FOLDER --organs FOLDER [--out FOLDER]
@@ -23,6 +24,20 @@ function generate() {
   const out = join(kPage, 'generated');
   mkdirSync(out, {recursive: true});
   execFileSync('flatc', ['--ts', '-o', out, ...kSchemas.map((file) => join(kPage, file))]);
+  writeFileSync(join(out, 'palette.ts'), palette());
+}
+
+// Each name's colours on light and on dark ground, and its dash.
+function palette() {
+  const [, ...rows] = readFileSync(join(kPage, '../../palette.csv'), 'utf8').trim().split('\n')
+                          .filter((line) => !line.startsWith('#'))
+                          .map((line) => line.split(','));
+  const strokes = rows.filter(([, , dark]) => dark).map(([name, colour, dark, dash]) => {
+    const lengths = dash === '' ? '' : dash.replaceAll(' ', ', ');
+    return `  ${name}: {colour: '${colour}', dark: '${dark}', dash: [${lengths}]},\n`;
+  });
+  return '// Made by build.mjs of hal/palette.csv.\n' +
+      `export const kFigureStrokes = {\n${strokes.join('')}};\n`;
 }
 
 // What the licences of the bundled libraries ask for: their notices, in full.

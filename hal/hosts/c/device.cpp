@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Devices of stylet_loop.h: hal's drivers by URI, a caller's own functions, and a computed hand.
 #include <algorithm>
-#include <cmath>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <new>
 
@@ -91,8 +91,12 @@ stylet_status stylet_device_open(const char* uri, double patience_s, stylet_devi
   if (device_out == nullptr || uri == nullptr) {
     return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
   }
+  FirstOutside first(0);
+  first.check("patience_s", patience_s, 0, std::numeric_limits<double>::infinity());
+  const stylet_status status = c::told(first, refusal_out);
+  if (status != STYLET_OK) return status;
   auto made = std::make_unique<stylet_device>();
-  made->device = hal::open_lasting_device(uri, std::isfinite(patience_s) ? patience_s : 0);
+  made->device = hal::open_lasting_device(uri, patience_s);
   made->opened = true;
   *device_out = made.release();
   return c::refuse(refusal_out, STYLET_OK);

@@ -280,7 +280,8 @@ const near = (a: number[], b: number[], most: number) =>
 // How far a colour is from grey.
 const spread = (pixel: number[]) => Math.max(...pixel.slice(0, 3)) - Math.min(...pixel.slice(0, 3));
 const bytes = (hex: string) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
-// A flat face in the tissue's colour, lit by less than full light.
+// A flat face in the tissue's colour, lit by less than full light; each voxel by a little more or
+// less than its neighbours.
 const kFaceOfLiver = [...bytes(materialColours(['liver'])[0]).map((v) => 0.86 * v), 255];
 
 // The same by the processor and by the shader: solid, cut open at the needle, cut away, x-ray.
@@ -305,7 +306,7 @@ test('solid, cut and x-ray show what they are for, whoever deforms', async () =>
     const cut = await look({cut: true});
     assert.ok(spread(cut) < 40, `cut: the needle's grey is seen: ${cut}`);
     const [wall] = await page.evaluate(drawn, [[0.5, 0.35]]);
-    assert.ok(near(wall, kFaceOfLiver, 2), `cut: the face is that of its tissue: ${wall}`);
+    assert.ok(near(wall, kFaceOfLiver, 5), `cut: the face is that of its tissue: ${wall}`);
     const away = await look({cutAt: 1});
     assert.ok(near(away, cut, 40), `cut away: the needle stays: ${away}`);
     const [gone] = await page.evaluate(drawn, [[0.5, 0.35]]);

@@ -124,7 +124,8 @@ class Browser(unittest.TestCase):
 
 
     def test_the_demo_in_chromium(self):
-        """A visitor opens it from a folder, pushes the needle in and asks for the proof."""
+        """Opened from a folder, by a visitor who pushes the needle in and wants the proof, and by
+        one with a telephone, who finds all of it with a thumb."""
         modules = SOURCE / "hal/console/page/node_modules"
         if shutil.which("chromium") is None or not (modules / "playwright-core").exists():
             self.skipTest("no chromium, or no npm packages of hal/console/page")
@@ -134,7 +135,11 @@ class Browser(unittest.TestCase):
                                     modules / "playwright-core/index.mjs",
                                     shutil.which("chromium")))
         self.assertEqual(seen["errors"], [])
-        self.assertEqual(seen["phases"], [2, 2, 2])
+        self.assertEqual(seen["phases"], [2, 2, 2, 2, 2])
+        self.assertEqual(seen["hidden"], [])
+        self.assertEqual(seen["wide"], [390, 390])
+        self.assertIn("finger", seen["hint"])
+        self.assertGreater(seen["rolled"], 0.1)
         self.assertGreater(seen["force"], 0.01)
         self.assertEqual(seen["same"], 1)
 

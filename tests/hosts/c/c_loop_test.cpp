@@ -674,5 +674,18 @@ TEST(CLoop, ARefusedDeviceStaysTheCallers) {
   EXPECT_NE(std::string(why.text).find("phantom:"), std::string::npos) << why.text;
 }
 
+TEST(CDevice, PatienceMayHaveNoEndButMustBeANumber) {
+  stylet_device* made = nullptr;
+  stylet_refusal why = no_refusal();
+  for (const double odd :
+       {std::numeric_limits<double>::quiet_NaN(), -1.0, -std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(stylet_device_open("phantom:", odd, &made, &why), STYLET_CONFIG_VALUE_OUT_OF_RANGE);
+    EXPECT_STREQ(why.place, "patience_s") << odd;
+    EXPECT_EQ(made, nullptr);
+  }
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(stylet_device_open("phantom:", kNoLimit, &made, &why), STYLET_DEVICE_FAILED);
+}
+
 }  // namespace
 }  // namespace stylet::test

@@ -64,10 +64,17 @@ public static class Frames {
       Console.WriteLine("{0} {1} {2:F3} {3:F3} {4:F3}", e.Place, e.Index, e.Value, e.Least,
                         e.Most);
     }
+    foreach (int size in new[] { 100, 0 }) {
+      try {
+        new Organ(new byte[size]);
+      } catch (StyletException e) {
+        Console.WriteLine("{0} {1}", e.Status, e.Place);
+      }
+    }
     try {
-      new Organ(new byte[100]);
+      new Simulation(organ, Simulation.DefaultConfig()).Restore(new byte[0]);
     } catch (StyletException e) {
-      Console.WriteLine("{0} {1}", e.Status, e.Place);
+      Console.WriteLine(e.Message);
     }
   }
 

@@ -88,9 +88,11 @@ class CSharp(unittest.TestCase):
         self.assertLessEqual(grown, 8192)
 
     def test_refusals_name_the_field(self):
-        needle, organ = self.ask("refusal")
+        needle, organ, empty_organ, empty_snapshot = self.ask("refusal")
         self.assertEqual(needle, "needle.length_m 1 0.700 0.001 0.500")
         self.assertEqual(organ, "101 identifier")
+        self.assertRegex(empty_organ, r"^1\d\d \w+")  # of an organ, not of an argument
+        self.assertIn("snapshot", empty_snapshot)
 
     def test_snapshots(self):
         self.assertEqual(self.ask("snapshot"), ["True True"])

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulation, in a worker of its own: ticks of a millisecond as time passes, the hand's way to
-// its aim in between, and a frame for each picture.
+// The simulation, in a worker of its own: ticks as time passes, the hand's way to its aim in
+// between, and a frame for each that the page asks for: it asks when it can draw one.
+//
+// A tick is a millisecond where the machine has room for that beside what it draws, else 1.5 or 2.
+// Up to there tissue keeps its mass but for a thin skin's (of the liver: 1, 1.00 and 1.05 times its
+// own, of its capsule 1, 1.08 and 1.65), and forces do not change; with longer ticks it would not.
 //
 // The hand is a spring and a damper between the aim (the pointer's) and the needle: as tissue
 // pushes back, the needle stays behind the aim, and that is what an eye takes for force. Only the
@@ -29,13 +33,14 @@ export type ToEngine =|{
   kind: 'open';
   organ: ArrayBuffer;
   needle: Partial<Needle>;
-  aim: Aim
+  aim: Aim;
+  byGpu: boolean
 }
 |{
   kind: 'aim';
   aim: Aim
 }
-|{
+|{kind: 'show'}|{
   kind: 'prove';
   organ: ArrayBuffer
 };
@@ -74,13 +79,19 @@ export type FromEngine =|Opened|Snapshot|{
   why: string
 };
 
-const kPeriodS = 1e-3;      // the default of the library
+const kPeriodsS = [1e-3, 1.5e-3, 2e-3];
+const kRoom = 0.85;        // share of a processor that ticks may take, where a card draws,
+const kRoomBeside = 0.75;  // and where a processor does
+const kInside = 1.15;      // times as long as with its needle away takes a tick
+const kTriedTicks = 10, kTries = 12;
 const kSpringNPerM = 350;   // of the hand: 3 N hold the needle 9 mm behind the aim
 const kFollowS = 0.03;      // the needle comes after the aim in about this time
 const kFastestMPerS = 0.3;  // of the needle
 const kMostDueS = 0.1;      // what passed while the page was asleep is left out
 const kRowEvery = 4;        // ticks
-const kPictureMs = 15;
+const kHeardMs = 8;         // the page is heard at least so often
+const kAsleepMs = 1000;
+const kLookMs = 100;    // whether it is awake again
 const kSpeedOverS = 1;  // told of the time before
 
 let stylet: Stylet|null = null;
@@ -115,36 +126,81 @@ function times(a: Quat, b: Quat): Quat {
 
 class Session {
   private readonly organ: Organ;
-  private readonly simulation: Simulation;
+  private readonly period: number;
+  private simulation: Simulation;
   private readonly needle: Needle;
   private readonly from: Vec3;
   private aim: Aim;
   private tip: Vec3;
   private out: Output|null = null;
   private pose: Pose;
+  private rotation: Quat;
   private rows: Tick[] = [];
   private due = 0;  // s of simulated time
   private last = performance.now();
   private us = 0;
+  private wanted = false;  // a frame
   private pictureAt = 0;
+  private heardAt = performance.now();
   private speed = 1;
   private simulated = 0;  // s since the last picture
   private events = 0;
   private ended = false;
 
   constructor(
-      private readonly library: Stylet, organ: ArrayBuffer, needle: Partial<Needle>, aim: Aim) {
+      private readonly library: Stylet, organ: ArrayBuffer, needle: Partial<Needle>, aim: Aim,
+      byGpu: boolean) {
     this.organ = library.organ(organ);
     this.needle = library.needle(needle);
-    this.simulation = library.simulation(this.organ, {needles: [this.needle]});
+    this.simulation = this.simulationOf(kPeriodsS[0]);
     this.aim = aim;
     this.tip = this.from = aim.tip;
+    this.rotation = this.rotationOf(aim);
     this.pose = this.poseAt();
+    this.period = this.choosePeriod(byGpu ? kRoom : kRoomBeside);
     post(this.opened());
+    this.last = this.heardAt = performance.now();
     this.run();
   }
 
-  set target(aim: Aim) { this.aim = aim; }
+  private simulationOf(period_s: number): Simulation {
+    return this.library.simulation(this.organ, {config: {period_s}, needles: [this.needle]});
+  }
+
+  // The shortest for which this machine has room, by ticks with the needle away.
+  private choosePeriod(room: number): number {
+    const each: number[] = [];
+    for (let i = 0; i < kTries; ++i) {
+      const began = performance.now();
+      for (let tick = 0; tick < kTriedTicks; ++tick) this.simulation.tick([this.pose]);
+      each.push(1e-3 * (performance.now() - began) / kTriedTicks);
+    }
+    const half = each.slice(kTries / 2).sort((a, b) => a - b);  // without those while it compiles
+    const tick = half[half.length >> 1];
+    const last = kPeriodsS[kPeriodsS.length - 1];
+    const period = kPeriodsS.find((p) => kInside * tick < room * p) ?? last;
+    this.simulation.free();
+    this.simulation = this.simulationOf(period);
+    return period;
+  }
+
+  set target(aim: Aim) {
+    this.aim = aim;
+    this.rotation = this.rotationOf(aim);
+  }
+
+  want(): void {
+    this.wanted = true;
+    const now = performance.now();
+    if (this.asleep(now)) {
+      this.last = now;
+      this.pictureAt = 0;
+    }
+    this.heardAt = now;
+  }
+
+  // A page that is hidden asks for no frames; nothing happens there that nobody sees.
+  private asleep(now: number): boolean { return now - this.heardAt > kAsleepMs; }
 
   end(): void {
     this.ended = true;
@@ -169,19 +225,22 @@ class Session {
       version: this.library.version,
       build: this.library.build,
       edge: info.voxel_edge_m,
-      period: kPeriodS,
+      period: this.period,
       rest,
       corners,
       needle: this.needle,
     };
   }
 
-  private poseAt(): Pose {
-    const {direction, rollRad} = this.aim;
-    const pose = this.library.pose_of_tip(this.tip, direction, this.needle.length_m);
+  private rotationOf({direction, rollRad}: Aim): Quat {
+    const {rotation} = this.library.pose_of_tip([0, 0, 0], direction, this.needle.length_m);
     const half = rollRad / 2;
-    const roll = {w: Math.cos(half), x: 0, y: 0, z: -Math.sin(half)};
-    return {...pose, rotation: times(pose.rotation, roll)};
+    return times(rotation, {w: Math.cos(half), x: 0, y: 0, z: -Math.sin(half)});
+  }
+
+  private poseAt(): Pose {
+    const handle = add(this.tip, this.aim.direction, -this.needle.length_m);
+    return {position_m: handle, rotation: this.rotation};
   }
 
   // A step of the hand: it pulls the needle to the aim, tissue pushes back.
@@ -220,25 +279,29 @@ class Session {
       return post({kind: 'failed', why: String(why)});
     }
     // A timer waits 4 ms at least, which a machine that is behind has not.
-    if (this.due >= kPeriodS)
+    if (this.due >= this.period)
       wake(() => this.run());
     else
-      setTimeout(() => this.run(), 1);
+      setTimeout(() => this.run(), this.asleep(this.last) ? kLookMs : 1);
   }
 
   private step(): void {
-    const period = kPeriodS;
+    const {period} = this;
     const now = performance.now();
+    if (this.asleep(now)) {
+      this.last = now;
+      this.due = 0;
+      return;
+    }
     this.due = Math.min(kMostDueS, this.due + (now - this.last) / 1e3);
     this.last = now;
     // Where this machine is slower than time, the simulation is, too, and says so.
-    const most = this.us > 0 ? Math.max(1, Math.floor(1e3 * kPictureMs / this.us)) : 1;
+    const most = this.us > 0 ? Math.max(1, Math.floor(1e3 * kHeardMs / this.us)) : 1;
     const count = Math.min(most, Math.floor(this.due / period));
     this.ticks(count, period);
     this.due -= count * period;
     this.simulated += count * period;
-    if (this.out === null || now - this.pictureAt < kPictureMs) return;
-    this.show(now);
+    if (this.wanted && this.out !== null) this.show(now);
   }
 
   private show(now: number): void {
@@ -263,6 +326,7 @@ class Session {
     this.rows = [];
     this.simulated = 0;
     this.pictureAt = now;
+    this.wanted = false;
   }
 }
 
@@ -297,6 +361,10 @@ export function serve(wasm: Promise<ArrayBuffer>): void {
       if (session) session.target = message.aim;
       return;
     }
+    if (message.kind === 'show') {
+      session?.want();
+      return;
+    }
     void (async () => {
       try {
         stylet ??= await load(await wasm);
@@ -305,7 +373,7 @@ export function serve(wasm: Promise<ArrayBuffer>): void {
         if (message.kind === 'prove')
           post({kind: 'proved', hash: prove(stylet, message.organ)});
         else
-          session = new Session(stylet, message.organ, message.needle, message.aim);
+          session = new Session(stylet, message.organ, message.needle, message.aim, message.byGpu);
       } catch (why) {
         post({kind: 'failed', why: String(why)});
       }

@@ -2,13 +2,12 @@
 // The visitor's hand: mouse, pen, finger, keys or gamepad move the aim of the needle; a gamepad and
 // a telephone shake as the force does.
 //
-// On the picture, down is in and up is out, along the needle; left and right move it across the
-// way one looks. Wheel: in and out, finely. Units: m.
+// On the picture the needle goes where finger or mouse go: along it in and out, across it aside;
+// seen from behind, down is in. Keys: right is in, up is up. Wheel: in and out, finely. Units: m.
 import type {Vec3} from 'stylet-wasm';
 
 import type {Aim} from './engine';
 
-const kMetresPerPixel = 0.2e-3;
 const kMetresPerWheel = 0.02e-3;  // a unit of wheel, 100 a notch
 const kKeyMetresPerS = 0.03;
 const kKeyRadPerS = 1.6;
@@ -18,18 +17,19 @@ const kRest = 0.12;     // of a stick: what it does by itself
 const kDeepest = 0.14;  // m from the start, along the needle
 const kAside = 0.03;    // m, across
 const kShakeMs = 60;
-const kMostForce = 6;  // N: shakes as hard as it can
+const kMostForce = 6;     // N: shakes as hard as it can
+const kFromBehind = 0.8;  // cosine of the angle between needle and look
 const kKeys: Record<string, [keyof Way, number]> = {
-  ArrowDown: ['in', 1],
-  ArrowUp: ['in', -1],
-  KeyS: ['in', 1],
-  KeyW: ['in', -1],
-  ArrowRight: ['across', 1],
-  ArrowLeft: ['across', -1],
-  KeyD: ['across', 1],
-  KeyA: ['across', -1],
-  PageUp: ['up', 1],
-  PageDown: ['up', -1],
+  ArrowRight: ['in', 1],
+  ArrowLeft: ['in', -1],
+  KeyD: ['in', 1],
+  KeyA: ['in', -1],
+  ArrowUp: ['up', 1],
+  ArrowDown: ['up', -1],
+  KeyW: ['up', 1],
+  KeyS: ['up', -1],
+  PageUp: ['across', -1],
+  PageDown: ['across', 1],
   KeyQ: ['roll', -1],
   KeyE: ['roll', 1],
 };
@@ -47,7 +47,13 @@ export interface Start {
   up: Vec3;
   roll: number;  // rad
 }
+// Ways in the world of a pixel to the right and of one down, at the needle.
+export interface Pixel {
+  right: Vec3;
+  down: Vec3;
+}
 
+const along = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const within = (value: number, most: number): number => Math.max(-most, Math.min(most, value));
 
 export class Hand {
@@ -63,7 +69,10 @@ export class Hand {
   private shakenAt = 0;
   moved: () => void = () => undefined;  // for the hint that goes away
 
-  constructor(private readonly canvas: HTMLElement) {
+  constructor(
+      private readonly canvas: HTMLElement,
+      private readonly pixel: (at: Vec3) => Pixel | null,
+  ) {
     canvas.addEventListener('pointerdown', (event) => this.take(event));
     canvas.addEventListener('pointermove', (event) => this.drag(event));
     for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
@@ -152,9 +161,31 @@ export class Hand {
     const to = {x: event.clientX, y: event.clientY};
     this.held.set(event.pointerId, to);
     if (this.held.size > 1) return;  // two fingers turn the picture
-    const fine = kMetresPerPixel * (event.shiftKey ? 0.2 : 1);
-    this.change({in : fine * (to.y - from.y), across: fine * (to.x - from.x)});
+    this.follow(to.x - from.x, to.y - from.y, event.shiftKey ? 0.2 : 1);
   }
+
+  private follow(x: number, y: number, share: number): void {
+    const {start, aim} = this;
+    const pixel = aim && this.pixel(aim.tip);
+    if (start === null || pixel === null) return;
+    const {right, down} = pixel;
+    const size = Math.hypot(...down);
+    const shown = Math.hypot(along(right, start.direction), along(down, start.direction)) / size;
+    const way = right.map((r, k) => share * (x * r + y * down[k])) as Vec3;
+    // Along a needle that points away from the eye there is no way on the picture.
+    if (shown * shown < 1 - kFromBehind * kFromBehind)
+      this.change({in : share * size * y, across: share * x * along(right, start.right)});
+    else
+      this.change({
+        in : along(way, start.direction) / (shown * shown),
+        across: along(way, start.right),
+        up: along(way, start.up),
+      });
+  }
+
+  // As long as a button of the page is held, as a key.
+  press(code: string): void { this.pressed.add(code); }
+  release(code: string): void { this.pressed.delete(code); }
 
   private wheel(event: WheelEvent): void {
     if (event.ctrlKey) return;  // nearer and away

@@ -18,13 +18,15 @@ import Engine from './engine.worker?worker&inline';
 import type {Aim, FromEngine, Snapshot, ToEngine} from './engine';
 import {frameOf, helloOf, sizeOf} from './frames';
 import {Hand} from './hand';
+import {Pace} from './pace';
 import {kScenes, type Scene} from './scenes';
 
 const kAhead = 0.008;     // m: the tip begins so far before the skin
 const kSlowBelow = 0.95;  // of the time that passes
 const kHints = [
-  'Drag down to push the needle in, up to draw it out.',
-  'Drag down with one finger to push the needle in, up to draw it out. Two fingers turn the view.',
+  'Drag along the needle to push it in, and back to draw it out.',
+  'Move a finger along the needle to push it in, and back to draw it out. Two fingers turn the ' +
+      'view.',
 ];
 
 const store = new Store();
@@ -42,6 +44,11 @@ const choice =
 const again = button('Start again', () => void begin(), {class: 'primary'});
 const hint = el('p', {class: 'hint', role: 'status'});
 const slow = el('p', {class: 'slow', hidden: true, role: 'status'});
+const steps = el('span', {
+  title:
+      'A tick is a millisecond where the machine has room for that, else 1.5 or 2: forces stay ' +
+      'the same, thin skins become heavier.'
+});
 const hash = el('p', {class: 'hash quiet-text'});
 const verdict = el('p', {role: 'status'});
 const prove = button('Compute it here, too', () => void proveBits());
@@ -52,11 +59,21 @@ const proof = panel(
            'AVX instructions, ended in this state:'),
     hash, prove, verdict);
 say(hash, desktopHash.trim());
+// Held as long as it is to roll; Q and E do the same.
+const rolling = el('div', {class: 'group roll', role: 'group', 'aria-label': 'Roll the needle'});
+for (const [name, code] of [['Roll left', 'KeyQ'], ['Roll right', 'KeyE']]) {
+  const held = button(name, () => undefined);
+  held.addEventListener('pointerdown', () => hand.press(code));
+  for (const end of ['pointerup', 'pointercancel', 'pointerleave', 'blur'])
+    held.addEventListener(end, () => hand.release(code));
+  rolling.append(held);
+}
 
-const hand = new Hand(scene.canvas);
+const hand = new Hand(scene.canvas, (at) => scene.view?.pixelAt(at) ?? null);
 let chosen: Scene = kScenes[0];
 let organ: Organ|null = null;
 let sent = '';
+let asked = false;  // for a frame that has not come
 
 const cross = (a: Vec3, b: Vec3):
     Vec3 => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -101,6 +118,7 @@ function hit(from: Vec3, along: Vec3, a: Vec3, b: Vec3, c: Vec3): number {
 async function begin(): Promise<void> {
   chosen = kScenes[Number(choice.value)];
   say(words, chosen.tells);
+  rolling.hidden = chosen.needle.bevel_per_m === undefined;
   const bytes = await (await fetch(chosen.organ)).arrayBuffer();
   organ = readOrgan(bytes.slice(0));
   const entry = entryOf(chosen, organ);
@@ -112,7 +130,8 @@ async function begin(): Promise<void> {
   hint.classList.remove('gone');
   say(hint, kHints[matchMedia('(pointer: coarse)').matches ? 1 : 0]);
   opening = {entry};
-  send({kind: 'open', organ: bytes, needle: chosen.needle, aim}, [bytes]);
+  const byGpu = scene.view?.byGpu ?? true;
+  send({kind: 'open', organ: bytes, needle: chosen.needle, aim, byGpu}, [bytes]);
 }
 
 let opening: {entry: Vec3} = {entry: [0, 0, 0]};
@@ -121,6 +140,8 @@ engine.addEventListener('message', (event: MessageEvent<FromEngine>) => {
   if (message.kind === 'failed') {
     stopped(message.why);
   } else if (message.kind === 'opened') {
+    asked = false;
+    say(steps, `${Math.round(1 / message.period)} ticks a second`);
     store.organ = null;
     store.take(helloOf(message, chosen.name, opening.entry, chosen.direction));
     store.organ = organ;
@@ -139,7 +160,9 @@ function stopped(why: string): void {
 }
 
 function show(frame: Snapshot): void {
+  asked = false;
   if (store.hello === null || frame.moved.length !== store.hello.rest.length) return;
+  pace.see(performance.now(), frame.speed);
   store.take(frameOf(frame, chosen.direction));
   hand.shake(sizeOf(frame.out), frame.events.length > 0);
   slow.hidden = frame.speed >= kSlowBelow;
@@ -172,6 +195,8 @@ document.addEventListener('keydown', (event) => {
   if (event.key === 'r' && !event.ctrlKey && !event.metaKey) void begin();
 });
 scene.root.append(hint, slow);
+scene.root.querySelector('.scene-numbers')?.append(steps);
+scene.root.querySelector('.scene-tools')?.prepend(rolling);
 document.body.append(
     el('header', {class: 'demo-top'}, el('h1', {}, 'Stylet'), choice, again, words),
     el('main', {class: 'demo', id: 'main'}, scene.root,
@@ -188,10 +213,12 @@ if (scene.begin()) {
 } else {
   say(hint, 'This browser offers no WebGL 2: there are forces and plots, but no picture.');
 }
+const pace = new Pace(scene.view?.byGpu ?? true);
 void begin();
 
 function picture(): void {
   requestAnimationFrame(picture);
+  if (!pace.due(performance.now())) return;
   hand.step();
   const {aim} = hand;
   const text = JSON.stringify(aim);
@@ -199,8 +226,12 @@ function picture(): void {
     send({kind: 'aim', aim});
     sent = text;
   }
+  if (!asked) send({kind: 'show'});
+  asked = true;
   store.flush();
-  scene.view?.step();
+  if (scene.view === null) return;
+  scene.view.scale = pace.scale;
+  scene.view.step();
 }
 requestAnimationFrame(picture);
 

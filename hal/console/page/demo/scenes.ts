@@ -44,7 +44,7 @@ export const kScenes: Scene[] = [
     needle: k18G,
     at: [0, 0.5, 0.52],
     direction: [1, 0, 0],
-    cut: false,
+    cut: true,
     roll: 0,
   },
   {
@@ -62,7 +62,7 @@ export const kScenes: Scene[] = [
     name: 'Steering',
     tells:
         'A wire with a bevelled tip, in stiff gel. Its way bends to one side; rolled as it goes ' +
-        '(Q and E, or shift and wheel), it can be steered.',
+        '(hold the buttons, Q and E, or shift and wheel), it can be steered.',
     organ: gel,
     needle: kBevelled,
     at: [0, 0.5, 0.5],

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colours that people with any colour vision tell apart.
 //
-// Sources: causes of force after Okabe and Ito 2008, made to stand on white and on dark, with a
-// dash each so that colour is never the only sign; materials from Tol's muted scheme (2021).
+// Those of figures, with a dash each so that colour is never the only sign, are in hal/palette.csv;
+// materials from Tol's muted scheme (2021).
+import {kFigureStrokes} from '../generated/palette';
+
 import type {Cause} from './protocol';
 
 export interface Stroke {
@@ -11,13 +13,9 @@ export interface Stroke {
   dash: number[];
 }
 
-export const kCauseStroke: Record<Cause, Stroke> = {
-  stiffness: {colour: '#0072b2', dark: '#56b4e9', dash: []},
-  cutting: {colour: '#c24e00', dark: '#ff8c42', dash: [8, 3]},
-  friction: {colour: '#009e73', dark: '#1f9e7a', dash: [2, 3]},
-  clamping: {colour: '#a8478a', dark: '#d85fb0', dash: [10, 3, 2, 3]},
-  obstacle: {colour: '#5c3d00', dark: '#f5e6a8', dash: [4, 4]},
-};
+const {total, ...causes} = kFigureStrokes;
+export const kCauseStroke: Record<Cause, Stroke> = causes;
+export const kTotal: Stroke = total;
 
 export const kMaterials = [
   '#cc6677',
@@ -99,11 +97,6 @@ export const kBody = {
   inside: '#7c3b47',
 };
 
-export const kTotal: Stroke = {
-  colour: '#1d2733',
-  dark: '#f2f5f8',
-  dash: []
-};
 export const kLateral: Stroke = {
   colour: '#6b7785',
   dark: '#93a0ae',

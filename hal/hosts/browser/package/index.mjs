@@ -24,15 +24,18 @@ export class StyletError extends Error {
 const SIZES = { u8: 1, u16: 2, u32: 4, u64: 8, f32: 4, f64: 8, text: 4, char: 1 };
 const size_of = (kind) => SIZES[kind] ?? structs[kind].bytes;
 
-// The library's memory. It may grow in any call that allocates, so views are made when needed.
+// The library's memory. It may grow in any call that allocates; a view of it is then another.
 class Memory {
+  #view = new DataView(new ArrayBuffer(0));
   constructor(exports) {
     this.exports = exports;
     this.decoder = new TextDecoder();
   }
 
   get view() {
-    return new DataView(this.exports.memory.buffer);
+    const { buffer } = this.exports.memory;
+    if (this.#view.buffer !== buffer) this.#view = new DataView(buffer);
+    return this.#view;
   }
 
   bytes(at, count) {

@@ -134,6 +134,9 @@ internal unsafe struct Refusal {
 internal static unsafe class Native {
   const string kLibrary = "stylet";  // libstylet.so, stylet.dll
 
+  // `fixed` gives an empty array no address, and the library would take it for a forgotten one.
+  internal static byte[] Placed(byte[] bytes) { return bytes.Length > 0 ? bytes : new byte[1]; }
+
   [DllImport(kLibrary)] internal static extern IntPtr stylet_version_text();
   [DllImport(kLibrary)] internal static extern IntPtr stylet_status_name(ushort status);
   [DllImport(kLibrary)] internal static extern IntPtr stylet_event_name(uint kind);

@@ -73,7 +73,7 @@ public sealed unsafe class Organ : IDisposable {
   static OrganHandle FromBytes(byte[] bytes) {
     Refusal why = StyletException.Empty();
     OrganHandle organ;
-    fixed (byte* at = bytes) {
+    fixed (byte* at = Native.Placed(bytes)) {
       StyletException.Check(
           Native.stylet_organ_from_bytes(at, (UIntPtr)bytes.Length, out organ, ref why), ref why);
     }
@@ -208,7 +208,7 @@ public sealed unsafe class Simulation : IDisposable {
     return bytes;
   }
   public void Restore(byte[] bytes) {
-    fixed (byte* at = bytes) {
+    fixed (byte* at = Native.Placed(bytes)) {
       StyletException.Check(Native.stylet_simulation_restore(Handle, at, (UIntPtr)bytes.Length));
     }
   }

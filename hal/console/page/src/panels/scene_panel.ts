@@ -130,6 +130,8 @@ export class ScenePanel {
     if (organ === null || hello === null || look === undefined) return;
     const used = new Set<number>();
     for (const voxel of organ.vertexVoxel) used.add(organ.voxelMaterial[voxel]);
+    if (look.cut)
+      for (const material of organ.voxelMaterial) used.add(material);
     const colours = materialColours(organ.materials);
     const items: [string, string, string][] =
         [...used].sort((a, b) => a - b).map((m) => [organ.materials[m] ?? '', colours[m], 'dot']);

@@ -11,6 +11,7 @@ import {MeshGouraudMaterial} from 'three/examples/jsm/materials/MeshGouraudMater
 import {kBody} from '../palette';
 
 import type {Frame, Hello, NeedleFrame, NeedleInfo, Obstacle, Target, Vec3} from '../protocol';
+import {steel} from './steel';
 
 const kSides = 10;       // of the tube
 const kMostNodes = 160;  // of a needle
@@ -30,14 +31,17 @@ class Tube {
   readonly mesh: THREE.Mesh;
   private readonly places: THREE.BufferAttribute;
   private readonly normals: THREE.BufferAttribute;
+  private readonly alongs: THREE.BufferAttribute;  // m from the tip
 
   constructor(private readonly radius: number) {
     const geometry = new THREE.BufferGeometry();
     const count = kMostNodes * kSides;
     this.places = new THREE.BufferAttribute(new Float32Array(3 * count), 3);
     this.normals = new THREE.BufferAttribute(new Float32Array(3 * count), 3);
+    this.alongs = new THREE.BufferAttribute(new Float32Array(count), 1);
     geometry.setAttribute('position', this.places);
     geometry.setAttribute('normal', this.normals);
+    geometry.setAttribute('along', this.alongs);
     const index: number[] = [];
     for (let ring = 0; ring + 1 < kMostNodes; ++ring) {
       for (let side = 0; side < kSides; ++side) {
@@ -46,7 +50,7 @@ class Tube {
       }
     }
     geometry.setIndex(index);
-    this.mesh = new THREE.Mesh(geometry, matte(kBody.needle));
+    this.mesh = new THREE.Mesh(geometry, steel(kBody.needle, true));
     this.mesh.frustumCulled = false;
   }
 
@@ -56,25 +60,28 @@ class Tube {
     const across = new THREE.Vector3();
     const along = new THREE.Vector3().subVectors(line[1], line[0]).normalize();
     across.set(Math.abs(along.x) > 0.9 ? 0 : 1, Math.abs(along.x) > 0.9 ? 1 : 0, 0);
+    let togo = line.reduce((sum, node, i) => sum + (i > 0 ? node.distanceTo(line[i - 1]) : 0), 0);
     line.forEach((node, i) => {
+      if (i > 0) togo -= node.distanceTo(line[i - 1]);
       const next = line[Math.min(i + 1, line.length - 1)];
       const last = line[Math.max(i - 1, 0)];
       along.subVectors(next, last).normalize();
       across.addScaledVector(along, -across.dot(along)).normalize();
-      this.ring(i, node, along, across, this.radius);
+      this.ring(i, node, along, across, this.radius, togo);
     });
     // The point: as long as the needle is wide, twice.
     const tip = line[line.length - 1].clone();
-    this.ring(line.length, tip, along, across, 0);
+    const point = 4 * this.radius;
+    this.ring(line.length, tip, along, across, 0, 0);
     this.ring(
-        line.length - 1, tip.addScaledVector(along, -4 * this.radius), along, across, this.radius);
+        line.length - 1, tip.addScaledVector(along, -point), along, across, this.radius, point);
     this.mesh.geometry.setDrawRange(0, line.length * kSides * 6);
-    this.places.needsUpdate = this.normals.needsUpdate = true;
+    for (const each of [this.places, this.normals, this.alongs]) each.needsUpdate = true;
   }
 
   private ring(
-      at: number, centre: THREE.Vector3, along: THREE.Vector3, across: THREE.Vector3,
-      r: number): void {
+      at: number, centre: THREE.Vector3, along: THREE.Vector3, across: THREE.Vector3, r: number,
+      togo: number): void {
     const up = new THREE.Vector3().crossVectors(along, across);
     for (let side = 0; side < kSides; ++side) {
       const turn = (2 * Math.PI * side) / kSides;
@@ -82,6 +89,7 @@ class Tube {
       const n = [0, 1, 2].map((k) => c * across.getComponent(k) + s * up.getComponent(k));
       const i = at * kSides + side;
       this.normals.setXYZ(i, n[0], n[1], n[2]);
+      this.alongs.setX(i, togo);
       this.places.setXYZ(i, centre.x + r * n[0], centre.y + r * n[1], centre.z + r * n[2]);
     }
   }
@@ -106,7 +114,7 @@ class Needle {
     // A fin along +x: the side a bevel faces.
     const fin = new THREE.BoxGeometry(1.1 * grip, 0.35 * grip, 0.5 * kHandleLength);
     fin.translate(1.1 * grip, 0, kHandleLength / 2);
-    this.handle.add(new THREE.Mesh(fin, matte(kBody.needle)));
+    this.handle.add(new THREE.Mesh(fin, steel(kBody.needle, false)));
     this.arrow = new THREE.Group();
     const ink = matte(kBody.force, {emissive: '#3d2900'});
     this.shaft =

@@ -11,14 +11,16 @@ export const kPresets = ['side', 'oblique', 'behind', 'above', 'tip'] as const;
 export type Preset = (typeof kPresets)[number];
 const kMoveMs = 350;
 const kShownShaft = 0.75;  // share of the needle outside that is in the picture
+const kOnNarrow = 0.3;     // the same in a picture that is higher than wide
 const kRoom = 1.1;
 const kFreeHeight = 0.8;   // between legend and buttons
 const kTipDistance = 1.2;  // sizes of the organ
 
 export interface Aim {
-  points: THREE.Vector3[];   // what is to be seen: the organ's box, and the handle
-  size: number;              // half of the box's diagonal
-  direction: THREE.Vector3;  // of insertion
+  points: THREE.Vector3[];                             // what is to be seen: the organ's box
+  shaft: {entry: THREE.Vector3, length: number}|null;  // and of the needle a part
+  size: number;                                        // half of the box's diagonal
+  direction: THREE.Vector3;                            // of insertion
   up: THREE.Vector3;
 }
 
@@ -35,13 +37,13 @@ export function aimAt(hello: Hello): Aim {
   const direction = needle ?
       new THREE.Vector3(needle.direction.x, needle.direction.y, needle.direction.z).normalize() :
       new THREE.Vector3(1, 0, 0);
-  if (needle) {
-    const {x, y, z} = needle.entry;
-    points.push(
-        new THREE.Vector3(x, y, z).addScaledVector(direction, -kShownShaft * needle.length));
-  }
+  const shaft = needle ? {
+    entry: new THREE.Vector3(needle.entry.x, needle.entry.y, needle.entry.z),
+    length: needle.length
+  } :
+                         null;
   const up = Math.abs(direction.y) < 0.9 ? new THREE.Vector3(0, 1, 0) : new THREE.Vector3(0, 0, 1);
-  return {points, size: Math.max(box.getSize(at).length() / 2, 0.01), direction, up};
+  return {points, shaft, size: Math.max(box.getSize(at).length() / 2, 0.01), direction, up};
 }
 
 // Where to stand and look at so that all points are within the picture and as large as they can be.
@@ -91,7 +93,7 @@ export class CameraMan {
 
   look(preset: Preset, tip: Vec3|null, atOnce = this.still()): void {
     if (this.aim === null) return;
-    const {points, size, direction, up} = this.aim;
+    const {points, shaft, size, direction, up} = this.aim;
     const across = new THREE.Vector3().crossVectors(direction, up).normalize();
     const from: Record<Preset, THREE.Vector3> = {
       side: across.clone().addScaledVector(up, 0.12),
@@ -101,7 +103,11 @@ export class CameraMan {
       tip: across.clone().addScaledVector(up, 0.25),
     };
     const toward = from[preset].normalize();
-    let {position, target} = fit(points, toward, up, this.camera);
+    const part = this.camera.aspect < 1 ? kOnNarrow : kShownShaft;
+    const seen = shaft ?
+        [...points, shaft.entry.clone().addScaledVector(direction, -part * shaft.length)] :
+        points;
+    let {position, target} = fit(seen, toward, up, this.camera);
     if (preset === 'tip' && tip) {
       target = new THREE.Vector3(tip.x, tip.y, tip.z);
       position = target.clone().addScaledVector(toward, kTipDistance * size);

@@ -14,6 +14,7 @@ import type {Hello} from '../protocol';
 
 const kLit = 0.86;                    // a flat face, beside a surface that is lit
 const kSideLit = [0.72, 0.86, 0.78];  // of cropped faces, by axis, so that they are told apart
+const kGrain = 0.035;                 // lighter or darker, by voxel: a face shows how it is bent
 const kClear = 0.3;                   // in an x-ray
 const kCropShare = 0.05;              // of all open edges lie at a plane where tissue was cropped
 
@@ -28,6 +29,9 @@ interface Quad {
   corners: number[];  // particles, around
   axis: number;
 }
+
+const lightOf = (voxel: number): number =>
+    1 + kGrain * ((Math.imul(voxel, 0x9e3779b1) >>> 24) / 127.5 - 1);
 
 // Edges with one triangle, as pairs of vertices.
 function openEdges(triangles: Uint32Array): [number, number][] {
@@ -216,7 +220,7 @@ export class Caps {
       if (beyond === 0 || beyond === 8) continue;
       const distance = kCorners.map((c) => this.distances[corners[8 * v + c]]);
       const polygon = slice((c) => this.place(corners[8 * v + c], moved), distance, normal);
-      if (polygon) this.cut.fan(polygon, this.tissue(v), kLit);
+      if (polygon) this.cut.fan(polygon, this.tissue(v), kLit * lightOf(v));
     }
     this.cut.finish();
   }
@@ -226,7 +230,8 @@ export class Caps {
     const beyond = (p: THREE.Vector3) => plane.x * p.x + plane.y * p.y + plane.z * p.z > plane.w;
     for (const {voxel, corners, axis} of this.quads) {
       const places = corners.map((particle) => this.place(particle, moved));
-      if (!places.some(beyond)) this.cropped.fan(places, this.tissue(voxel), kSideLit[axis]);
+      if (!places.some(beyond))
+        this.cropped.fan(places, this.tissue(voxel), kSideLit[axis] * lightOf(voxel));
     }
     this.cropped.finish();
   }

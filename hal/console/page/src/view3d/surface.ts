@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The organ's surface and its voxel lattice, deformed on the GPU: solid, as an x-ray, or cut open.
 //
-// Colours go to the screen as they are (no colour management), so the shading is kept plain: light
-// from the camera and from above. Where a plane cuts a closed surface, a stencil counts on each
-// pixel how often one looks into it and out again: what remains is where caps.ts draws the face.
+// Colours go to the screen as they are (no colour management). Light: a large lamp above the left
+// shoulder, the sky, and a little from the camera; tissue in the shade is redder, wet, and pale
+// where it is stretched, as skin is; near a needle it is darker. Where a plane cuts a closed
+// surface, a stencil counts on each pixel how often one looks into it and out again: what remains
+// is where caps.ts draws the face.
 import * as THREE from 'three';
 import {isOpen, outerEdges, type Organ} from '../organ';
 import {kBody, materialColours} from '../palette';
-import type {Hello} from '../protocol';
+import type {Hello, NeedleFrame} from '../protocol';
 import {kDeform, kDeformSurface, surfaceGeometry, type Deformation} from './deform';
 import {makeSkin, type Skin} from './skin';
 
@@ -25,12 +27,29 @@ uniform mat4 projectionMatrix;
 uniform mat3 normalMatrix;
 uniform float clear;  // 0 solid, 1 x-ray
 uniform vec3 upward;
+uniform vec4 touched[NEEDLES];  // where a needle meets the surface, and how far its shade goes
+uniform vec3 outward[NEEDLES];  // along the needle
 out vec4 vColour;
 #ifdef CUT
 out vec3 vPlace;
 out vec3 vInside;
 uniform vec3 inside;
 #endif
+
+const vec3 kLamp = vec3(-0.4767, 0.6674, 0.5721);
+const vec3 kPale = vec3(1.0, 0.90, 0.84);
+
+// How much light comes past the needles.
+float besideNeedles(vec3 place) {
+  float light = 1.0;
+  for (int i = 0; i < NEEDLES; ++i) {
+    vec3 from = place - touched[i].xyz;
+    from -= max(0.0, dot(from, outward[i])) * outward[i];
+    light *= 1.0 - 0.55 * exp(-dot(from, from) / (touched[i].w * touched[i].w));
+  }
+  return light;
+}
+
 void main() {
   vec3 place = position;
   vec3 turned = normal;
@@ -38,15 +57,24 @@ void main() {
   deform(position, normal, place, turned);
 #endif
   vec4 view = modelViewMatrix * vec4(place, 1.0);
-  vec3 n = normalize(normalMatrix * turned);
-  float facing = max(0.0, -dot(n, normalize(view.xyz)));
-  float lit = 0.36 + 0.44 * facing + 0.22 * (0.5 + 0.5 * dot(n, upward));
-  float shine = facing * facing;
+  float stretch = length(turned);  // of the surface, by area: normals at rest have length 1
+  vec3 n = normalMatrix * turned / stretch;
+  vec3 eye = -normalize(view.xyz);
+  float facing = max(0.0, dot(n, eye));
+  float lamp = max(0.0, (dot(n, kLamp) + 0.4) / 1.4);
+  float sky = 0.5 + 0.5 * dot(n, normalMatrix * upward);
+  float lit = 0.32 + 0.26 * facing + 0.38 * lamp * lamp + 0.12 * sky;
+  float shine = max(0.0, dot(n, normalize(kLamp + eye)));
   shine *= shine;
   shine *= shine;
   shine *= shine;
+  shine *= shine * shine;  // to the 24th
   float rim = 1.0 - facing;
-  vColour = vec4(colour * lit + 0.10 * shine, mix(1.0, 0.16 + 0.62 * rim * rim, clear));
+  vec3 tissue = mix(colour, kPale, 0.6 * smoothstep(0.02, 0.4, stretch - 1.0));
+  tissue *= 1.0 - 0.4 * smoothstep(0.02, 0.5, 1.0 - stretch);
+  tissue = mix(tissue * tissue, tissue, min(1.0, 0.25 + 0.85 * lit));
+  float past = besideNeedles(place);
+  vColour = vec4(past * (tissue * lit + 0.22 * shine), mix(1.0, 0.16 + 0.62 * rim * rim, clear));
 #ifdef CUT
   vPlace = place;
   vInside = mix(inside, colour, 0.25);
@@ -96,6 +124,10 @@ void main() {
   colour = vec4(ink, 0.45);
 }`;
 
+const kNoShade = 1e-6;    // m
+const kShadeEdges = 1.3;  // of voxels: what vertices can show
+const kShadeRadii = 6;    // of a needle
+
 export interface Surface {
   skin: Skin|null;  // null: deformed on the GPU
   open: boolean;    // its inside can be seen
@@ -123,17 +155,20 @@ export function makeSurface(
   const skin = byGpu ? null : makeSkin(organ, hello);
   const geometry = skin ? skinGeometry(organ, skin) : surfaceGeometry(organ, hello);
   geometry.setAttribute('colour', new THREE.BufferAttribute(vertexColours(organ), 3));
+  const needles = Math.max(1, hello.needles.length);
   const material = new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3,
     vertexShader: kVertex,
     fragmentShader: kFragment,
-    defines: byGpu ? {BY_GPU: 1} : {},
+    defines: {NEEDLES: needles, ...(byGpu ? {BY_GPU: 1} : {})},
     uniforms: {
       ...deformation.uniforms,
       plane,
       clear: {value: 0},
       inside: {value: new THREE.Color(kBody.inside)},
       upward: {value: new THREE.Vector3(0, 1, 0)},
+      touched: {value: Array.from({length: needles}, () => new THREE.Vector4(0, 0, 0, kNoShade))},
+      outward: {value: Array.from({length: needles}, () => new THREE.Vector3())},
     },
   });
   const mesh = new THREE.Mesh(geometry, material);
@@ -190,6 +225,36 @@ export function moveSurface({skin, mesh}: Surface, moved: Int16Array): void {
   if (skin === null) return;
   skin.move(moved);
   for (const name of ['position', 'normal']) mesh.geometry.getAttribute(name).needsUpdate = true;
+}
+
+// Where a needle enters, or its tip on the way there, and the way back to the hand.
+function entryOf({nodes, depth}: NeedleFrame): {at: THREE.Vector3; outward: THREE.Vector3} {
+  const at = new THREE.Vector3();
+  const outward = new THREE.Vector3();
+  let left = depth;
+  for (let i = nodes.length - 1; i > 0; --i) {
+    at.copy(nodes[i] as THREE.Vector3);
+    outward.copy(nodes[i - 1] as THREE.Vector3).sub(at);
+    const length = outward.length();
+    outward.divideScalar(Math.max(length, 1e-9));
+    at.addScaledVector(outward, Math.min(left, length));
+    if (left <= length) break;
+    left -= length;
+  }
+  return {at, outward};
+}
+
+// Where the needles of a frame meet the surface.
+export function touchSurface({mesh}: Surface, hello: Hello, needles: NeedleFrame[]): void {
+  const {touched, outward} = mesh.material.uniforms;
+  needles.forEach((needle, i) => {
+    if (touched.value[i] === undefined || needle.nodes.length < 2) return;
+    const entry = entryOf(needle);
+    const radius = kShadeRadii * (hello.needles[i]?.outerRadius ?? 0);
+    const reach = Math.max(radius, kShadeEdges * hello.voxelEdge);
+    touched.value[i].set(entry.at.x, entry.at.y, entry.at.z, reach);
+    outward.value[i].copy(entry.outward);
+  });
 }
 
 function makeLattice(

@@ -6,13 +6,22 @@
 // pictures, ms by part; `draw` is the time to hand over the work, or with `finish` also to wait for
 // it.
 import * as THREE from 'three';
+import type {Frame, Vec3} from '../protocol';
 import type {Store} from '../store';
 import {Bodies, disposeAll} from './bodies';
 import {aimAt, CameraMan, type Preset} from './camera';
 import {Caps} from './caps';
 import {makeDeformation, readBack, upload, type Deformation} from './deform';
+import {makeGround} from './ground';
 import {makeSkin} from './skin';
-import {faceSurface, makeSurface, moveSurface, setLook, type Surface} from './surface';
+import {
+  faceSurface,
+  makeSurface,
+  moveSurface,
+  setLook,
+  touchSurface,
+  type Surface
+} from './surface';
 
 export interface Look {
   xray: boolean;
@@ -38,6 +47,8 @@ const kKept = 60;
 const kMostPixelRatio = 2;
 const kRestMs = 300;
 const kBehindNeedle = 2;  // radii
+const kSeenM = 30e-6;     // less is no pixel's width from where one sees an organ
+const kSeenN = 0.01;
 
 class Budget {
   pictures = 0;  // since the page was opened
@@ -79,6 +90,7 @@ export class View3d {
       Look = {xray: false, lattice: false, particles: false, surface: true, cut: false, cutAt: 0.5};
   finish = false;  // wait for the GPU after each picture: for measuring
   always = false;  // draw every picture anew: for measuring
+  scale = 1;       // of pixels each way, while pictures move
   drawn: () => void = () => undefined;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
@@ -87,9 +99,12 @@ export class View3d {
   private surface: Surface|null = null;
   private caps: Caps|null = null;
   private bodies: Bodies|null = null;
+  private ground: THREE.Mesh|null = null;
   private stale = true;
-  private movedAt = 0;       // performance.now() of the last picture that something had changed for
-  private rested = false;    // the picture of rest is drawn
+  private movedAt = 0;     // performance.now() of the last picture that something had changed for
+  private rested = false;  // the picture of rest is drawn
+  private drawnFrame: Frame|null = null;  // of the last picture
+  private drawnMoved = new Int16Array();
   private fresh = false;     // a frame that is not uploaded yet
   private capsStale = true;  // faces of the cut are of another frame or plane
 
@@ -110,11 +125,15 @@ export class View3d {
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setClearColor(0x000000, 0);
     this.cameraMan = new CameraMan(canvas, still, () => (this.stale = true));
-    this.cameraMan.camera.add(
-        new THREE.DirectionalLight('#ffffff', 1.5).translateY(0.4).translateZ(1));
+    this.cameraMan.camera.add(new THREE.DirectionalLight('#ffffff', 1.5)
+                                  .translateX(-0.5)
+                                  .translateY(0.7)
+                                  .translateZ(0.8));
     this.scene.add(this.cameraMan.camera, new THREE.AmbientLight('#ffffff', 1.1));
     store.on(['organ'], () => this.rebuild());
-    store.on(['frame'], () => (this.fresh = this.stale = true));
+    store.on(['frame'], () => {
+      if (this.seenToMove()) this.fresh = this.stale = true;
+    });
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => this.rebuild());
@@ -138,6 +157,20 @@ export class View3d {
     return {x: ((p.x + 1) / 2) * clientWidth, y: ((1 - p.y) / 2) * clientHeight};
   }
 
+  // Ways in the world of a pixel of CSS to the right and of one down, at a place.
+  pixelAt(place: [number, number, number]):
+      {right: [number, number, number], down: [number, number, number]} {
+    const {camera} = this.cameraMan;
+    const away = new THREE.Vector3(...place).applyMatrix4(camera.matrixWorldInverse).z;
+    const size = 2 * -away * Math.tan((camera.fov * Math.PI) / 360) / this.canvas.clientHeight;
+    const [right, up] = [new THREE.Vector3(), new THREE.Vector3()];
+    camera.matrixWorld.extractBasis(right, up, new THREE.Vector3());
+    return {
+      right: right.multiplyScalar(size).toArray(),
+      down: up.multiplyScalar(-size).toArray(),
+    };
+  }
+
   // Places of all vertices, or normals, as the GPU computes them or as the processor does.
   deformedVertices(byGpu: boolean, normals = false): Float32Array {
     const {organ, hello, moved} = this.store;
@@ -156,7 +189,7 @@ export class View3d {
     const counters = this.surface?.counters ?? [];
     for (const thing
              of [this.bodies?.group, this.caps?.group, this.surface?.mesh, this.surface?.lattice,
-                 ...counters]) {
+                 this.ground, ...counters]) {
       if (!thing) continue;
       this.scene.remove(thing);
       disposeAll(thing);
@@ -172,10 +205,13 @@ export class View3d {
         this.bodies.group);
     this.look.cutAt = this.besideNeedle();
     const aim = aimAt(hello);
+    this.ground = makeGround(hello.rest, aim.up);
+    this.scene.add(this.ground);
     this.surface.mesh.material.uniforms.upward.value.copy(aim.up);
     this.cameraMan.setScene(aim);
     this.resize();
     this.applyLook();
+    this.drawnFrame = null;
     this.fresh = this.store.frame !== null;
   }
 
@@ -232,6 +268,25 @@ export class View3d {
     this.stale = true;
   }
 
+  // Whether a frame would make another picture than the last that was drawn. Where nothing moves
+  // any more, the picture can rest.
+  private seenToMove(): boolean {
+    const {frame, moved} = this.store;
+    const {drawnFrame, drawnMoved} = this;
+    if (frame === null || drawnFrame === null || moved.length !== drawnMoved.length) return true;
+    if (frame.particles.length !== drawnFrame.particles.length) return true;
+    const apart = (a: Vec3, b: Vec3) => Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+    const needleMoved = frame.needles.some(({nodes, handle, force}, i) => {
+      const was = drawnFrame.needles[i];
+      return nodes.length !== was?.nodes.length || apart(handle, was.handle) > kSeenM ||
+          apart(force, was.force) > kSeenN ||
+          nodes.some((node, n) => apart(node, was.nodes[n]) > kSeenM);
+    });
+    if (needleMoved) return true;
+    const most = kSeenM / (this.store.hello?.positionUnit ?? 1);
+    return moved.some((at, i) => Math.abs(at - drawnMoved[i]) > most);
+  }
+
   // Once a picture of the browser.
   step(): void {
     if (this.always) this.fresh = this.stale = this.store.frame !== null;
@@ -251,8 +306,12 @@ export class View3d {
         if (this.surface) moveSurface(this.surface, this.store.moved);
       });
       this.budget.time('bodies', () => this.bodies?.show(frame));
+      const {hello} = this.store;
+      if (this.surface && hello) touchSurface(this.surface, hello, frame.needles);
       this.fresh = false;
       this.capsStale = true;
+      this.drawnFrame = frame;
+      this.drawnMoved = this.store.moved.slice();
     }
     if (this.capsStale) {
       this.budget.time('caps', () => this.caps?.move(this.store.moved, this.plane.value));
@@ -272,7 +331,8 @@ export class View3d {
   // Changes the canvas only where that changes something, as it is made anew then.
   private setSharpness(resting: boolean): void {
     const own = Math.min(window.devicePixelRatio, kMostPixelRatio);
-    const ratio = this.byGpu ? own : resting ? kMostPixelRatio : Math.min(own, 1);
+    const moving = this.scale * (this.byGpu ? own : Math.min(own, 1));
+    const ratio = !resting ? moving : this.byGpu ? own : kMostPixelRatio;
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
   }
 

@@ -134,8 +134,8 @@ STYLET_API stylet_status stylet_guard_get_report(const stylet_guard* guard,
 typedef struct stylet_device stylet_device;
 
 /* By URI, as `stylet devices` lists them but for Haply's: "hd:", "dhd:", "udp:..." and so on. Waits
- * up to patience_s for it. A device that fails is opened again by a thread that is not the
- * loop's. */
+ * up to patience_s for it; with an infinity until it is there. A device that fails is opened again
+ * by a thread that is not the loop's. */
 STYLET_API stylet_status stylet_device_open(const char* uri, double patience_s,
                                             stylet_device** device_out,
                                             stylet_refusal* refusal_out);
