@@ -164,23 +164,24 @@ export class Hand {
     this.follow(to.x - from.x, to.y - from.y, event.shiftKey ? 0.2 : 1);
   }
 
+  // d: the needle as it is seen, in the plane of the picture.
   private follow(x: number, y: number, share: number): void {
     const {start, aim} = this;
     const pixel = aim && this.pixel(aim.tip);
     if (start === null || pixel === null) return;
     const {right, down} = pixel;
-    const size = Math.hypot(...down);
-    const shown = Math.hypot(along(right, start.direction), along(down, start.direction)) / size;
+    const square = along(down, down);
+    const [dx, dy] = [right, down].map((axis) => along(axis, start.direction) / square);
+    const d = right.map((r, k) => dx * r + dy * down[k]) as Vec3;
+    const shown = along(d, d);
     const way = right.map((r, k) => share * (x * r + y * down[k])) as Vec3;
+    const by = along(way, start.direction) / shown;
+    const aside = way.map((w, k) => w - by * d[k]) as Vec3;
     // Along a needle that points away from the eye there is no way on the picture.
-    if (shown * shown < 1 - kFromBehind * kFromBehind)
-      this.change({in : share * size * y, across: share * x * along(right, start.right)});
+    if (shown < 1 - kFromBehind * kFromBehind)
+      this.change({in : share * y * Math.sqrt(square), across: along(way, start.right)});
     else
-      this.change({
-        in : along(way, start.direction) / (shown * shown),
-        across: along(way, start.right),
-        up: along(way, start.up),
-      });
+      this.change({in : by, across: along(aside, start.right), up: along(aside, start.up)});
   }
 
   // As long as a button of the page is held, as a key.

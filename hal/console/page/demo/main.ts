@@ -146,7 +146,8 @@ engine.addEventListener('message', (event: MessageEvent<FromEngine>) => {
     store.take(helloOf(message, chosen.name, opening.entry, chosen.direction));
     store.organ = organ;
     store.tell('organ');
-    scene.setLook({xray: !chosen.cut, cut: chosen.cut});
+    scene.setLook({xray: chosen.xray, cut: chosen.cut});
+    scene.view?.preset(chosen.look, true);
   } else if (message.kind === 'frame') {
     show(message);
   }

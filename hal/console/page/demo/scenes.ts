@@ -3,6 +3,8 @@
 // stylet-organ made them.
 import type {Needle, Vec3} from 'stylet-wasm';
 
+import type {Preset} from '../src/view3d/camera';
+
 import gel from './organs/gel.organ?url';
 import liver from './organs/liver.organ?url';
 import wall from './organs/wall.organ?url';
@@ -15,7 +17,9 @@ export interface Scene {
   // Where it goes in, as shares of the organ's box, and the way.
   at: Vec3;
   direction: Vec3;
+  look: Preset;  // from where, at first
   cut: boolean;  // open beside the needle, at first
+  xray: boolean;
   roll: number;  // of the needle, rad, at first
 }
 
@@ -44,7 +48,9 @@ export const kScenes: Scene[] = [
     needle: k18G,
     at: [0, 0.5, 0.52],
     direction: [1, 0, 0],
-    cut: true,
+    look: 'oblique',
+    cut: false,
+    xray: false,
     roll: 0,
   },
   {
@@ -55,7 +61,9 @@ export const kScenes: Scene[] = [
     needle: k18G,
     at: [0, 0.5, 0.5],
     direction: [1, 0, 0],
+    look: 'oblique',
     cut: true,
+    xray: false,
     roll: 0,
   },
   {
@@ -67,7 +75,9 @@ export const kScenes: Scene[] = [
     needle: kBevelled,
     at: [0, 0.5, 0.5],
     direction: [1, 0, 0],
+    look: 'side',
     cut: false,
+    xray: true,
     roll: Math.PI / 2,
   },
 ];

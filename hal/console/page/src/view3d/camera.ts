@@ -75,7 +75,7 @@ export class CameraMan {
 
   constructor(
       element: HTMLElement,
-      private readonly still: () => boolean,  // the user asked for less motion
+      readonly still: () => boolean,  // the user asked for less motion
       changed: () => void,
   ) {
     this.controls = new OrbitControls(this.camera, element);

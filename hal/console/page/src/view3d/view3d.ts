@@ -144,8 +144,9 @@ export class View3d {
     this.applyLook();
   }
 
-  preset(preset: Preset): void {
-    this.cameraMan.look(preset, this.store.frame?.needles[this.store.needle]?.tip ?? null);
+  preset(preset: Preset, atOnce = this.cameraMan.still()): void {
+    const {frame, needle} = this.store;
+    this.cameraMan.look(preset, frame?.needles[needle]?.tip ?? null, atOnce);
     this.stale = true;
   }
 
