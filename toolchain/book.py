@@ -300,6 +300,7 @@ def build(out, programs):
         search_from_folder(work / "site")
         for name in ("sitemap.xml", "sitemap.xml.gz"):  # tells the day, and of no address
             (work / "site" / name).unlink()
+        shutil.rmtree(work / "site/assets/javascripts/lunr")  # of other languages
         if out.exists():
             shutil.rmtree(out)
         out.parent.mkdir(parents=True, exist_ok=True)

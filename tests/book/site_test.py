@@ -81,6 +81,7 @@ def read(site, pages):
 
 if __name__ == "__main__":
     what, site = sys.argv[1], pathlib.Path(sys.argv[2])
-    found = read(site, sys.argv[3:]) if what == "read" else {"build": build, "again": again}[what](site)
+    found = {"build": build, "again": again}[what](site) if what != "read" else read(
+        site, sys.argv[3:])
     print("\n".join(found))
     sys.exit(bool(found))

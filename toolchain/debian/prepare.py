@@ -80,12 +80,14 @@ def put_in_place(top):
         licence.unlink()
 
 
-def register_book(top):
-    """With doc-base, by which desktops list what there is to read."""
+def register_book(top, copyright_file, source):
+    """With doc-base, by which desktops list what there is to read; and whose its scripts are."""
     if (top / BOOK / "index.html").exists():
         entry = top / "usr/share/doc-base/stylet-doc.stylet"
         entry.parent.mkdir(parents=True)
         entry.write_text(OF_BOOK)
+        with copyright_file.open("a") as file:
+            file.write((source / "toolchain/debian/copyright.book").read_text())
 
 
 def make_plain(top, epoch):
@@ -104,8 +106,8 @@ def prepare(stage, source, build, version):
         if not top.is_dir():
             continue
         put_in_place(top)
-        register_book(top)
         folder = add_pages(top, package, licence, source, version, epoch)
+        register_book(top, folder / "copyright", source)
         if objects is not None:
             parts = sbom.document(build, package, version, licence, top, objects)
             (folder / "sbom.spdx.json").write_text(json.dumps(parts, indent=1) + "\n")
