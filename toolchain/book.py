@@ -9,12 +9,13 @@ has the programs, whose --help is part of the book.
 
 The book's own pages are in toolchain/book; all others are the repository's own (READMEs,
 PHYSICS.md, GUARD.md, ...), taken as they are. The nav of mkdocs.yml there says which, and in what
-order; a page that one of them links to comes along. The same sources give the same bytes. A link to another file leads to its listing,
+order; a page that one of them links to comes along. A link to another file leads to its listing,
 one to a header of the interface to Doxygen's page of it. Below each figure stand the command that
 makes it (figures.sh) and the commit.
 
 Anything wrong is an error: a link that leads nowhere, a figure without a command, a warning of
-mkdocs or Doxygen. Needs mkdocs-material, doxygen, libjs-katex and nodejs of Debian (setup.sh test).
+mkdocs or Doxygen. The same sources give the same bytes. Needs mkdocs-material, doxygen,
+libjs-katex and nodejs of Debian (setup.sh test).
 """
 import argparse
 import fnmatch

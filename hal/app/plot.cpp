@@ -43,12 +43,11 @@ struct Cause {
   const char* colour;
   Vec3 ForceByCause::*force;
 };
-constexpr std::array kCauses = {
-    Cause{"stiffness", palette::kStiffness, &ForceByCause::stiffness_n},
-    Cause{"cutting", palette::kCutting, &ForceByCause::cutting_n},
-    Cause{"friction", palette::kFriction, &ForceByCause::friction_n},
-    Cause{"clamping", palette::kClamping, &ForceByCause::clamping_n},
-    Cause{"obstacle", palette::kObstacle, &ForceByCause::obstacle_n}};
+constexpr std::array kCauses = {Cause{"stiffness", palette::kStiffness, &ForceByCause::stiffness_n},
+                                Cause{"cutting", palette::kCutting, &ForceByCause::cutting_n},
+                                Cause{"friction", palette::kFriction, &ForceByCause::friction_n},
+                                Cause{"clamping", palette::kClamping, &ForceByCause::clamping_n},
+                                Cause{"obstacle", palette::kObstacle, &ForceByCause::obstacle_n}};
 
 struct Curve {
   std::vector<hal::TrackPoint> track;
@@ -200,9 +199,9 @@ std::string key_of(const Look& look, const Panel& panel, const char* inside) {
 }
 
 std::string causes_over_time(const Curve& curve, const Look& look) {
-  std::string plot = fmt::format(
-      "plot $total using 1:2 with lines linewidth {} linecolor rgb '{}' title 'total'",
-      look.total_width, palette::kTotal);
+  std::string plot =
+      fmt::format("plot $total using 1:2 with lines linewidth {} linecolor rgb '{}' title 'total'",
+                  look.total_width, palette::kTotal);
   for (std::size_t c = 0; c < kCauses.size(); ++c) {
     if (!felt(curve, c)) continue;
     plot +=

@@ -143,8 +143,9 @@ endif()
 
 add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} -G DEB
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
-foreach(target book_of_packages stylet_shared stylet_kernel stylet_hal stylet_python stylet_organ_python stylet
-    stylet-texts stylet-organ stylet-organ-texts stylet-phantom stylet-bench stylet-snapshot)
+foreach(target book_of_packages stylet_shared stylet_kernel stylet_hal stylet_python
+    stylet_organ_python stylet stylet-texts stylet-organ stylet-organ-texts stylet-phantom
+    stylet-bench stylet-snapshot)
   if(TARGET ${target})
     add_dependencies(packages ${target})
   endif()

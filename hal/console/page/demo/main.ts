@@ -24,7 +24,7 @@ import {kScenes, type Scene} from './scenes';
 const kAhead = 0.008;     // m: the tip begins so far before the skin
 const kSlowBelow = 0.95;  // of the time that passes
 const kHints = [
-  'Drag along the needle to push it in, and back to draw it out.',
+  'Drag along the needle to push it in, and back to draw it out. The right button turns the view.',
   'Move a finger along the needle to push it in, and back to draw it out. Two fingers turn the ' +
       'view.',
 ];
