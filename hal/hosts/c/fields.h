@@ -72,8 +72,8 @@ constexpr auto fields(const stylet_energy& of) {
   return spans(a, b, c, d, e, f, g, h, i, j, k);
 }
 constexpr auto fields(const stylet_guard_config& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
 }
 constexpr auto fields(const stylet_sample& of) {
   const auto& [a, b, c, d, e] = of;
