@@ -22,6 +22,7 @@
 #include "base/math.h"
 #include "laws/film.h"
 #include "laws/friction.h"
+#include "laws/stiff_tip.h"
 #include "stylet/kernel.h"
 
 namespace stylet {
@@ -94,9 +95,13 @@ inline void tear(const Material& m, const NeedleConfig& needle, float cone_m, Ne
   out.cutting_n = min_of(m.fracture_toughness_j_per_m2 * torn_m + spread_n, kMaxTipForceN);
   out.tearing_n = out.cutting_n - out.recut_n;
   out.tearing_exponent = m.toughness_velocity_exponent;
+  // Tissue that stiffens presses back by the same law of contact as in wanted_punch.
+  const StifferTip stiffer = stiffer_tip(
+      m.strain_stiffening, cone_m / (0.25F * circumference_m(radius_m)), m.poisson_ratio);
   const bool skin = m.membrane_n_per_m > 0;
   const float pierced_n = skin ? film_piercing_n(out.cutting_n)
-                               : piercing_n(out.cutting_n, 2 * radius_m * plane_pa, cone_m);
+                               : piercing_n(out.cutting_n, 2 * radius_m * plane_pa * stiffer.deep,
+                                            cone_m * (stiffer.deep / stiffer.shallow));
   out.puncture_n = min_of(pierced_n, kMaxTipForceN);
   // A tip that comes from other tissue has its crack ahead of it. A skin is still whole.
   out.layer_n = skin ? out.puncture_n : out.cutting_n;
