@@ -84,7 +84,7 @@ def rows(top):
     budgets = [budget[what][of] for what in ("step", "sweep") for of in ("avx2", "avx512")]
     yield README, r"the test allows (\d+), (\d+), (\d+) and (\d+)\.", budgets
     yield from rows_of_tables(top)
-    yield ("tests/README.md", r"the budget of a step \((\d+) a voxel with AVX2, (\d+) with added",
+    yield ("tests/README.md", r"than its budget \((\d+) a voxel with AVX2, (\d+) with\s+added",
            [budget["step"]["avx2"], budget["sweep"]["avx2"]])
 
 
