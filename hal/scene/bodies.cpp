@@ -223,7 +223,7 @@ BreathingConfig read_breathing(Section breathing) {
 }
 
 Vec3 read_gravity(Section gravity) {
-  constexpr double kMost = kMaxGravityMPerS2;
+  constexpr double kMost = static_cast<double>(kMaxGravityMPerS2);
   const auto now = gravity.numbers<3>("now_m_per_s2", {}, -kMost, kMost);
   const auto at_rest = gravity.numbers<3>("at_rest_m_per_s2", {}, -kMost, kMost);
   if (gravity.has("at_rest_m_per_s2") && !gravity.has("now_m_per_s2")) {

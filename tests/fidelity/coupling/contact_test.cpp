@@ -168,8 +168,8 @@ TEST(Contact, StiffTipIsThatOfFiniteElements) {
     const StifferTip of =
         stiffer_tip(static_cast<float>(row.strained), 1, static_cast<float>(row.poisson));
     const double shallow = static_cast<double>(of.shallow), deep = static_cast<double>(of.deep);
-    const auto law = [&](double steep,
-                         double slope) {  // over the force of unit slope at unit depth
+    // Over the force of unit slope at unit depth.
+    const auto law = [&](double steep, double slope) {
       const double wide = std::min(row.depth, slope / steep);
       return steep * wide * wide / 2 + slope * (row.depth - wide);
     };
