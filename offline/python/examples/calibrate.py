@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Young's modulus, puncture force and friction of a tissue from a published force curve.
+"""Young's modulus, puncture force and friction of a tissue from a published force curve; then once
+more for tissue that stiffens with its strain. How it stiffens and its modulus at rest make up for
+each other: the intervals of these two are too narrow, which those of a profile would not be.
 
 usage: calibrate.py [PICTURE]
 
@@ -19,15 +21,16 @@ PUBLISHED_N = np.array([0.03, 0.07, 0.11, 0.17, 0.25, 0.36, 0.46, 0.63, 0.92, 1.
                         0.33, 0.35, 0.39, 0.47, 0.52])
 RANGES = {"youngs_modulus_pa": (3e4, 3e5), "puncture_force_n": (0.3, 3),
           "friction_n_per_m": (5, 50)}
+STIFFENING = {**RANGES, "youngs_modulus_pa": (5e3, 3e5), "strain_stiffening": (0.5, 100)}
 SPEED_M_PER_S, EDGE_M = 3e-3, 7.5e-3
 NEEDLE = stylet.Needle(outer_radius_m=0.635e-3)  # 18G
 BLOCK = np.ones((8, 8, 8), np.uint8)             # 60 mm
 
 
-def organ_of(youngs_modulus_pa, puncture_force_n, friction_n_per_m):
+def organ_of(youngs_modulus_pa, puncture_force_n, friction_n_per_m, strain_stiffening=0):
     """The block: liver, except for these numbers; it sticks with a fifth more than it slides."""
     tissue = {**stylet_organ.TISSUES["liver"], "youngs_modulus_kpa": 1e-3 * youngs_modulus_pa,
-              "puncture_force_n": puncture_force_n,
+              "puncture_force_n": puncture_force_n, "strain_stiffening": strain_stiffening,
               "coulomb_friction_n_per_mm": 1e-3 * friction_n_per_m,
               "static_friction_n_per_mm": 1.2e-3 * friction_n_per_m}
     return stylet_organ.from_labels(BLOCK, {1: "tissue"}, spacing_m=3 * [EDGE_M], fix="z<10%",
@@ -46,19 +49,28 @@ def curves(points, speed_m_per_s=SPEED_M_PER_S, millimetres=len(PUBLISHED_N)):
     return [[force_n[millimetre == i].mean() for i in range(millimetres)] for force_n in forces_n]
 
 
-def main():
-    found = stylet.fit(curves, RANGES, PUBLISHED_N)
+def fitted(ranges):
+    """What is found, and the force in each millimetre with it."""
+    found = stylet.fit(curves, ranges, PUBLISHED_N)
     for name, value in found.values.items():
         print(f"{name:18} {value:9.4g}, 95 %: {found.low[name]:.4g} to {found.high[name]:.4g}")
     print(f"the model is {found.sigma:.2f} N off the curve")
+    return PUBLISHED_N - found.residuals
+
+
+def main():
+    linear_n, stiffening_n = fitted(RANGES), fitted(STIFFENING)
     if len(sys.argv) > 1:
         import matplotlib
         matplotlib.use("Agg")  # needs no screen
         from matplotlib import pyplot
-        way_mm, fitted_n = np.arange(len(PUBLISHED_N)) + 0.5, PUBLISHED_N - found.residuals
-        pyplot.plot(way_mm, PUBLISHED_N, "ko", way_mm, fitted_n, "#882255", mfc="none")
+        way_mm = np.arange(len(PUBLISHED_N)) + 0.5
+        pyplot.plot(way_mm, PUBLISHED_N, "ko", mfc="none")
+        pyplot.plot(way_mm, linear_n, "#999999", ls="--")
+        pyplot.plot(way_mm, stiffening_n, "#882255")
         pyplot.gca().set(xlabel="way from the first contact (mm)", ylabel="force on the needle (N)")
-        pyplot.legend(["published (Okamura et al. 2004)", "simulated, fitted"], frameon=False)
+        pyplot.legend(["published (Okamura et al. 2004)", "fitted, linear tissue",
+                       "fitted, tissue that stiffens"], frameon=False)
         pyplot.savefig(sys.argv[1])
 
 
