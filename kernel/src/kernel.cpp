@@ -294,6 +294,16 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   }
 }
 
+Status count(const Organ& organ, const Config& config, Counts& counts_out) {
+  const Status status = count_lattice(organ, config, counts_out);
+  if (status != Status::kOk || config.mode == Mode::kPaper) return status;
+  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+    const bool stiffens = organ_material(organ, i).strain_stiffening > 0;
+    if (stiffens) counts_out.stiffening_slots = counts_out.slots;
+  }
+  return status;
+}
+
 bool aligned(std::span<const std::byte> block) {
   return reinterpret_cast<std::uintptr_t>(block.data()) % kBlockAlignment == 0;
 }
@@ -307,7 +317,7 @@ Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out,
   if (refusal_out != nullptr) *refusal_out = {};
   Status status = check_config(config, refusal_out);
   Counts counts;
-  if (status == Status::kOk) status = count_lattice(organ, config, counts);
+  if (status == Status::kOk) status = count(organ, config, counts);
   return status == Status::kOk ? block_sizes(counts, sizes_out) : status;
 }
 
@@ -324,7 +334,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
     return Status::kMemoryNotAligned;
   }
   Counts counts;
-  (void)count_lattice(organ, config, counts);  // succeeds, as it did in sizes
+  (void)count(organ, config, counts);  // succeeds, as it did in sizes
   std::memset(memory.model.data(), 0, need.model_bytes);
   Model model = model_of(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);

@@ -272,10 +272,6 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   // The sweep works in whole lanes, so it touches up to two groups behind the last row.
   c.particles = static_cast<std::uint32_t>(totals.particles) + 2 * kLanes;
   c.particles_per_plane = static_cast<std::uint32_t>(totals.particles_of_plane) + 2 * kLanes;
-  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
-    const bool stiffens = organ_material(organ, i).strain_stiffening > 0;
-    if (stiffens && config.mode != Mode::kPaper) c.stiffening_slots = c.slots;
-  }
   if (config.inertia == Inertia::kTrueMass) {
     c.filtered_particles = c.particles;
     c.filtered_slots = c.slots + kLanes;  // pieces are read in whole lanes
