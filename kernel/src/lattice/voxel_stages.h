@@ -300,9 +300,13 @@ __attribute__((always_inline)) inline void match_slots(const ModelHead& head, co
   shift_slots(lanes, 4 * head.edge_m, seen);
   turn_slots(lanes, slots, seen);
   unit_slots(lanes, seen, slots);
-  const auto send = head.counts.stiffening_slots == 0 ? send_slots<Linear> : send_slots<Stiffening>;
-  send(lanes, slots, head.hourglass_weight, head.edge_m * 0.5F, head.inverse_edge_per_m * 0.25F,
-       carry);
+  const float chi = head.hourglass_weight, half_edge = head.edge_m * 0.5F;
+  const float scale = head.inverse_edge_per_m * 0.25F;
+  if (head.counts.stiffening_slots == 0) {
+    send_slots<Linear>(lanes, slots, chi, half_edge, scale, carry);
+  } else {
+    send_slots<Stiffening>(lanes, slots, chi, half_edge, scale, carry);
+  }
 }
 
 }  // namespace
