@@ -55,16 +55,16 @@ struct Moved {
 
 // ---- step 3: contact
 
-// A tip that has just left its track lies in the mouth of the hole: it must be clear of the
-// surface, or deeper than the mouth, before it can touch it again. For a tip that is swept aside,
-// its way forward is measured along the mean of its directions before and after the `turn`: along
-// the last direction it would press without anybody pushing. False: it is not known whether the tip
-// touches.
 struct Search {
   Vec3 turn;          // of the handle, in this tick
   bool known_before;  // whether the pose before is known
   bool has_left;      // its hole, in this very tick: the next tick must look around it again
 };
+// A tip that has just left its track lies in the mouth of the hole: it must be clear of the
+// surface, or deeper than the mouth, before it can touch it again. For a tip that is swept aside,
+// its way forward is measured along the mean of its directions before and after the `turn`: along
+// the last direction it would press without anybody pushing. False: a bound of the search was
+// reached, so nobody knows whether the tip touches.
 bool seek_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
                   const Search& search, std::uint32_t& flags) {
   NeedleState& own = *state.needle;

@@ -72,8 +72,8 @@ def table(found):
         head = ["voxels", "us", "ns a voxel, AVX-512", "AVX2", "with added mass, AVX-512", "AVX2",
                 "steps a second", f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
         yield from lines(head, rows(of))
-        yield ("\nThe same step with one helper thread, times as fast as without; and two threads\n"
-               "with nothing in common, each at steps of its own. Others may use this machine's\n"
+        yield ("\nHow many times as fast the same step is with one helper thread; and how many\n"
+               "times as much two threads do that have nothing in common. Others may use this machine's\n"
                "second processor: the quarter of the repetitions counts in which these two were\n"
                "fastest; in brackets the median of all:\n\n")
         head = ["voxels", "helped, AVX-512", "AVX2", "nothing in common, AVX-512", "AVX2"]

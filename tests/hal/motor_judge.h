@@ -41,7 +41,7 @@ struct Judge {
   std::int64_t trouble_ns = 0;  // of the device: until then it may cut the force
   bool over = false;            // no force until somebody acknowledges
   bool armed_anew = false;      // armed again, but no order has come yet
-  bool expired = false;         // orders have expired: until then it may not grow
+  bool expired = false;         // orders have expired: no force may grow before an acknowledgement
   Vec3 last_n = {};
   int last_writes = 0;
   std::int64_t written_ns = 0, before_ns = 0;  // of the last write, and of the one before

@@ -224,6 +224,7 @@ static void create(mxArray** out, const mxArray** in) {
       {"paper_alpha", &c.paper_alpha, NULL, NULL},
       {"breathing_amplitude_m", NULL, NULL, &c.breathing_amplitude_m},
       {"breathing_period_s", &c.breathing_period_s, NULL, NULL},
+      {"gravity_m_per_s2", NULL, NULL, &c.gravity_m_per_s2},
   };
   const struct field of_needle[] = {
       {"length_m", &n.length_m, NULL, NULL},

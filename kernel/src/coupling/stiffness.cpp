@@ -156,18 +156,28 @@ float cotangent_of(const Model& model, const State& state) {
          (kPi * model.needle_config().outer_radius_m);
 }
 
+// Depth at which a cone and cylinder on bare tissue carry this force.
+float bare_depth_m(float force_n, float punch_n_per_m, float cone_m) {
+  const float press_m = 2 * force_n / punch_n_per_m;
+  return press_m < cone_m ? std::sqrt(press_m * cone_m) : 0.5F * (press_m + cone_m);
+}
+
+// A skin whose tissue would carry its force at a smaller depth, because it stiffens, is punctured
+// there.
 Punch wanted_punch(const Model& model, const State& state, std::uint32_t material) {
   const MaterialModel& m = model.head->material[material];
   const Film& film = model.forces[material].film;
   const float radius_m = model.needle_config().outer_radius_m;
   const StifferTip stiffer = stiffer_tip(m.stiffening, cotangent_of(model, state), m.poisson_ratio);
-  const float cone_m =
-      model.head->cone_length_m[state.needle_index] * (stiffer.deep / stiffer.shallow);
-  const float punch_n_per_m = 4 * m.shear_pa * radius_m / (1 - m.poisson_ratio) * stiffer.deep;
-  const float press_m = 2 * film.force_n / punch_n_per_m;
-  const float bare_m = press_m < cone_m ? std::sqrt(press_m * cone_m) : 0.5F * (press_m + cone_m);
-  const float depth_m = film.depth_m;
-  if (!(depth_m < bare_m)) return {punch_n_per_m, cone_m, 0};
+  const float cone_m = model.head->cone_length_m[state.needle_index];
+  const float punch_n_per_m = 4 * m.shear_pa * radius_m / (1 - m.poisson_ratio);
+  const float stiff_cone_m = cone_m * (stiffer.deep / stiffer.shallow);
+  const float stiff_n_per_m = punch_n_per_m * stiffer.deep;
+  if (!(film.depth_m < bare_depth_m(film.force_n, punch_n_per_m, cone_m))) {
+    return {stiff_n_per_m, stiff_cone_m, 0};
+  }
+  const float depth_m =
+      min_of(film.depth_m, bare_depth_m(film.force_n, stiff_n_per_m, stiff_cone_m));
   return {film.force_n / (depth_m * film_shape(film.start)), kFilmChange * depth_m, film.start};
 }
 
@@ -181,7 +191,9 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   const float nu = m.poisson_ratio;
   const float unit = model.needle_config().unit_m;
   float target = 0, lattice_compliance = 0, slack = 1;
-  const float deep = stiffer_tip(m.stiffening, cotangent_of(model, state), nu).deep;
+  // A skin's contact does not stiffen, nor does what holds a tip in it.
+  const float stiffening = m.skin_shear_n_per_m > 0 ? 0 : m.stiffening;
+  const float deep = stiffer_tip(stiffening, cotangent_of(model, state), nu).deep;
   float least = 1 / (kMaxCpWeight * k);
   switch (role) {
     case Role::kSurface:

@@ -8,8 +8,8 @@
 // voxel: it needs no work per leaf and is exact for tissue at rest, the usual state at first
 // contact. Where another needle dents the tissue, more leaves are reached.
 //
-// Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI, world frame.
-// PHYSICS 7.1.
+// Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI. Frame of the
+// attachments. PHYSICS 7.1.
 #pragma once
 
 #include "base/math.h"

@@ -2,7 +2,8 @@
 // One voxel of the deformed lattice: sums over its corners, its frame, and the search for voxels
 // that hold a point.
 //
-// Promises: a fixed number of operations; no allocation. Units SI, world frame. PHYSICS 2.1, 10.1.
+// Promises: a fixed number of operations; no allocation. Units SI, frame of the attachments.
+// PHYSICS 2.1, 10.1.
 #pragma once
 
 #include "base/math.h"

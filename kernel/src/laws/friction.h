@@ -46,14 +46,15 @@ inline Friction friction_of(const Material& m) {
 #undef STYLET_FRICTION_OF
 
 // The same dependence on speed for another Coulomb friction; a tissue that has none written gets
-// it at any speed, besides what is viscous.
-inline Friction scaled(Friction f, float coulomb_n_per_m) {
-  const bool from_nothing = !(f.coulomb_n_per_m > 0);
-  const float factor = from_nothing ? 1 : coulomb_n_per_m / f.coulomb_n_per_m;
-  f.static_n_per_m = from_nothing ? coulomb_n_per_m : factor * f.static_n_per_m;
-  f.viscous_n_s_per_m2 = factor * f.viscous_n_s_per_m2;
-  f.coulomb_n_per_m = from_nothing ? coulomb_n_per_m : factor * f.coulomb_n_per_m;
-  return f;
+// it at any speed, besides what is viscous. The tissue changes, not its Friction: so whatever law a
+// tissue has chosen follows.
+inline Friction friction_of(Material m, float coulomb_n_per_m) {
+  const bool from_nothing = !(m.coulomb_friction_n_per_m > 0);
+  const float factor = from_nothing ? 1 : coulomb_n_per_m / m.coulomb_friction_n_per_m;
+  m.static_friction_n_per_m = from_nothing ? coulomb_n_per_m : factor * m.static_friction_n_per_m;
+  m.viscous_friction_n_s_per_m2 = factor * m.viscous_friction_n_s_per_m2;
+  m.coulomb_friction_n_per_m = from_nothing ? coulomb_n_per_m : factor * m.coulomb_friction_n_per_m;
+  return friction_of(m);
 }
 
 // Friction per metre of shaft at a slip speed: Coulomb, static (Stribeck), viscous.

@@ -31,7 +31,9 @@ inline StifferTip stiffer_tip(float stiffening, float cotangent, float poisson) 
   if (!(strained > 0)) return {1, 1};
   const float shallow =
       power(1 + strained / (kShallow + kShallowSlope * n), kShallowPower + kShallowPowerSlope * n);
-  const float v = power(strained / (kDeep + kDeepSlope * n), kDeepPower);
+  // Below 1, where the finite elements begin, in proportion.
+  const float v =
+      min_of(strained, 1) * power(max_of(strained, 1) / (kDeep + kDeepSlope * n), kDeepPower);
   const float most = kDeepMost + (kDeepMostSlope + kDeepMostSquare * n) * n;
   return {shallow, max_of(shallow, 1 + most * (v / (1 + v)))};
 }

@@ -97,7 +97,7 @@ Lattice lattice_of(const TinyOrgan& tiny, const View& view) {
         const TinyMaterial& m = tiny.materials[tiny.material_at(x, y, z)];
         const double nu = static_cast<double>(m.poisson_ratio);
         const double shear = static_cast<double>(m.youngs_modulus_pa) / (2 * (1 + nu));
-        const double stiffest = shear * h * (1 + 3 * nu / (1 - 2 * nu));
+        const double stiffest = shear * h * (1 + std::max(3 * nu / (1 - 2 * nu), 0.05));
         std::uint32_t corner[8];
         for (std::uint32_t i = 0; i < 8; ++i) corner[i] = corner_node(view, {x, y, z}, i);
         for (const std::uint32_t i : corner) {
