@@ -73,9 +73,9 @@ def table(found):
                 "steps a second", f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
         yield from lines(head, rows(of))
         yield ("\nHow many times as fast the same step is with one helper thread; and how many\n"
-               "times as much two threads do that have nothing in common. Others may use this machine's\n"
-               "second processor: the quarter of the repetitions counts in which these two were\n"
-               "fastest; in brackets the median of all:\n\n")
+               "times as much two threads do that have nothing in common. Others may use this\n"
+               "machine's second processor: the quarter of the repetitions counts in which these\n"
+               "two were fastest; in brackets the median of all:\n\n")
         head = ["voxels", "helped, AVX-512", "AVX2", "nothing in common, AVX-512", "AVX2"]
         yield from lines(head, rows_of_two_threads(of))
     yield "\n"
