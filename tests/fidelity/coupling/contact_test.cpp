@@ -213,6 +213,48 @@ TEST(Contact, TissueThatStiffensIsFeltAtTheTipWhateverTheVoxel) {
   EXPECT_GT(seen, 25);
 }
 
+// Under a thin skin, too, tissue that stiffens more is never softer. (Where the bare tissue would
+// have carried the force of puncture at a smaller depth the skin was forgotten.)
+TEST(Contact, StiffeningMoreIsNeverSofterUnderAThinSkin) {
+  constexpr std::uint16_t kVoxels = 16;
+  Draw draw = {std::mt19937_64(8)};
+  for (int i = 0; i < 4; ++i) {
+    Press p = {draw.between(0.4e-3, 0.8e-3), 15 * kPi / 180, 5e-3, 0.45, draw.between(1e-3, 3e-3)};
+    p.youngs_pa = 23200;
+    p.skin_n_per_m = draw.between(50, 200);
+    TinyMaterial m;
+    m.puncture_force_n = static_cast<float>(draw.between(0.5, 0.9));
+    double before = 0;
+    for (const float stiffening : {0.0F, 5.0F, 10.0F, 20.0F, 44.0F, 200.0F}) {
+      m.strain_stiffening = stiffening;
+      Rig rig = rig_of(p, kVoxels, m);
+      const double force = force_at_rest(rig, start_of(p, kVoxels), p.depth_m);
+      EXPECT_GT(force, 0.99 * before) << "draw " << i << ", b " << stiffening;
+      before = force;
+    }
+  }
+}
+
+// A skin's contact is a film's, whatever its tissue: so what holds a tip in it must not be stiffer
+// either. (In a skin of 20 N/mm an elastic needle got 10 kN and gave energy to the hand.)
+TEST(Contact, ATipInASkinIsHeldAsIfNothingStiffened) {
+  Press p = {0.6e-3, 15 * kPi / 180, 5e-3, 0.45, 0};
+  p.skin_n_per_m = 20000;
+  float held_n_per_m[2] = {};
+  for (const bool stiffens : {false, true}) {
+    TinyMaterial m;
+    m.strain_stiffening = stiffens ? 44 : 0;
+    Rig rig = rig_of(p, 4, m);
+    View view = view_of(rig.session.kernel);
+    Particle tip = {};
+    tip.material = 1;
+    set_stiffness(view.model, view.state, tip, Role::kTip);
+    held_n_per_m[stiffens] = tip.stiffness_n_per_m;
+  }
+  EXPECT_GT(held_n_per_m[0], 0);
+  EXPECT_EQ(held_n_per_m[1], held_n_per_m[0]);
+}
+
 // The last moment of contact before a slow needle punctures the skin. Beyond 12 G h^2 voxels are
 // softer than the film (PHYSICS 18.4).
 TEST(Contact, ThinSkinIsPuncturedAtTheDepthOfAFilmWhateverTheVoxelItIsSpreadOver) {
