@@ -32,7 +32,8 @@ to_develop=(
 )
 to_test=(
   clang groff-base libbenchmark-dev libbullet-dev libclang-rt-14-dev libclang-rt-19-dev libgmock-dev
-  libgtest-dev llvm python3-distributed python3-prometheus-client python3-pydicom snakemake valgrind
+  libgtest-dev llvm python3-distributed python3-prometheus-client python3-pydicom python3-scipy
+  snakemake valgrind
   # packages: judged, and installed in a Debian of their own
   debootstrap lintian
   # cohorts under Slurm; the test starts its own daemons

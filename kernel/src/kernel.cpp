@@ -163,8 +163,9 @@ void sum_tied(Model& model, const Counts& counts, float* of_node) {
 
 // Bound on the stiffness of a voxel's motions at each corner (PHYSICS 3.2). Those that change the
 // volume are one family, those that stiffen the other. Without either the bound has a margin:
-// there every voxel's every motion is at it, and rounding carried waves beyond (a beam of 2.5 mm
-// voxels, 200 kPa, swung for ever with seven passes; with 0.03 and more it comes to rest).
+// there every motion of every voxel is at it, and a beam of 2.5 mm voxels, 200 kPa, swung for ever
+// with seven passes. Why is not known; at a Poisson's ratio of 0.01, where volume makes it 0.03, it
+// comes to rest.
 float corner_bound(const Model& model, std::uint32_t slot) {
   constexpr float kMargin = 0.05F;
   const bool stiff = stiffens(model) && model.slot_stiffening[slot] > 0;

@@ -66,6 +66,17 @@ TEST(Info, OfTheBarestFileSaysWhatItContains) {
   EXPECT_THAT(text, Not(HasSubstr("made by")));
 }
 
+TEST(Info, TissueThatStiffensIsShown) {
+  format::OrganT organ = barest();
+  const auto text_of = [](const format::OrganT& shown) {
+    const auto bytes = bytes_of(shown);
+    return offline::organ_text(offline::organ_facts(offline::open_organ("a.organ", bytes), bytes));
+  };
+  EXPECT_THAT(text_of(organ), Not(HasSubstr("stiffening")));
+  organ.materials[0]->strain_stiffening = 37.5F;
+  EXPECT_THAT(text_of(organ), HasSubstr("  stiffening 37.5  "));
+}
+
 TEST(Info, EmptyOriginsAreShownEmpty) {
   format::OrganT organ = barest();
   organ.provenance = std::make_unique<format::ProvenanceT>();

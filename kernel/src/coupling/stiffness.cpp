@@ -152,8 +152,8 @@ struct Punch {
 
 // Of the half angle of the needle's tip.
 float cotangent_of(const Model& model, const State& state) {
-  return 2 * model.head->cone_length_m[state.needle_index] /
-         (kPi * model.needle_config().outer_radius_m);
+  return cone_cotangent(model.needle_config().outer_radius_m,
+                        model.head->cone_length_m[state.needle_index]);
 }
 
 // Depth at which a cone and cylinder on bare tissue carry this force.

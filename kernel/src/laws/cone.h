@@ -50,6 +50,12 @@ inline float cone_length_m(const NeedleConfig& needle) {
   return 0.5F * kPi * needle.outer_radius_m * cosine / sine_of_half_turns(half_turns);
 }
 
+// Of the half angle, from that length.
+inline float cone_cotangent(float radius_m, float cone_m) {
+  constexpr float kPi = 3.14159265F;
+  return 2 * cone_m / (kPi * radius_m);
+}
+
 // Depth of all the tissue over the spring's own depth, at least 1.
 inline float cone_ratio(const Cone& c, float own_m) {
   const float l = c.length_m, part = c.lattice_part, rest = 1 - c.start;

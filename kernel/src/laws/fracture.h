@@ -20,6 +20,7 @@
 #include <cmath>
 
 #include "base/math.h"
+#include "laws/cone.h"
 #include "laws/film.h"
 #include "laws/friction.h"
 #include "laws/stiff_tip.h"
@@ -68,7 +69,7 @@ inline float spreading_n(float plane_pa, float radius_m) {
 
 // Friction of that opening on a cone, over its work. `cone_m`: see cone_length_m.
 inline float cone_friction(float coefficient, float radius_m, float cone_m) {
-  return coefficient * cone_m / (0.25F * circumference_m(radius_m));
+  return coefficient * cone_cotangent(radius_m, cone_m);
 }
 
 // The force at which the work of the contact, over its depth, is `cutting_n`: see cone.h.
@@ -96,8 +97,8 @@ inline void tear(const Material& m, const NeedleConfig& needle, float cone_m, Ne
   out.tearing_n = out.cutting_n - out.recut_n;
   out.tearing_exponent = m.toughness_velocity_exponent;
   // Tissue that stiffens presses back by the same law of contact as in wanted_punch.
-  const StifferTip stiffer = stiffer_tip(
-      m.strain_stiffening, cone_m / (0.25F * circumference_m(radius_m)), m.poisson_ratio);
+  const StifferTip stiffer =
+      stiffer_tip(m.strain_stiffening, cone_cotangent(radius_m, cone_m), m.poisson_ratio);
   const bool skin = m.membrane_n_per_m > 0;
   const float pierced_n = skin ? film_piercing_n(out.cutting_n)
                                : piercing_n(out.cutting_n, 2 * radius_m * plane_pa * stiffer.deep,

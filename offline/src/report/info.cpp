@@ -200,10 +200,12 @@ std::string organ_text(const nlohmann::ordered_json& f) {
                         f["voxels_that_share_cells"].get<std::size_t>());
   }
   for (const auto& m : f["materials"]) {
+    const double stiffening = m["strain_stiffening"].get<double>();
     text += fmt::format(
-        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}  {}\n",
+        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}{}  {}\n",
         m["name"].get<std::string>(), m["voxels"].get<std::size_t>(), m["volume_ml"].get<double>(),
-        m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(), forces_text(m));
+        m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(),
+        stiffening > 0 ? fmt::format("  stiffening {:.3g}", stiffening) : "", forces_text(m));
   }
   const auto& b = f["bytes"];
   text += fmt::format(

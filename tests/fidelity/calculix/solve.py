@@ -207,10 +207,15 @@ def main(folder):
                 out.writerow([case["name"], poisson, edge_m, quantity, f"{value:.6g}"])
 
 
-if __name__ == "__main__":
+def in_folder(work):
+    """Calls `work` with the folder that the command names, or with one for the time being."""
     if len(sys.argv) > 1:
         os.makedirs(sys.argv[1], exist_ok=True)
-        main(Path(sys.argv[1]).resolve())
+        work(Path(sys.argv[1]).resolve())
     else:
         with tempfile.TemporaryDirectory() as temporary:
-            main(Path(temporary))
+            work(Path(temporary))
+
+
+if __name__ == "__main__":
+    in_folder(main)

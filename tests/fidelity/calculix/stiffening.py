@@ -11,13 +11,9 @@ the coefficients are the first three of that law's series: G/2, G b/8, -G b^2/(3
 import csv
 import json
 import math
-import os
 import subprocess
-import sys
-import tempfile
-from pathlib import Path
 
-from solve import BRICK, CCX, HERE, Grid, add, read_tables, version, write_set
+from solve import BRICK, CCX, HERE, Grid, add, in_folder, read_tables, version, write_set
 
 MOST = 10  # M: by how many times its modulus at rest tissue may get stiffer
 INCREMENTS = 2
@@ -111,9 +107,4 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        os.makedirs(sys.argv[1], exist_ok=True)
-        main(Path(sys.argv[1]).resolve())
-    else:
-        with tempfile.TemporaryDirectory() as temporary:
-            main(Path(temporary))
+    in_folder(main)
