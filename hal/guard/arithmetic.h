@@ -12,18 +12,18 @@
 
 namespace stylet::hal::guarding {
 
-inline double of(float value) {
+inline double widened(float value) {
   return static_cast<double>(value);
 }
 
 // A value that follows another with time constant `slow_s` covers this fraction of the gap in
 // `step_s`.
-inline double share_of(double step_s, double slow_s) {
+inline double gain_of(double step_s, double slow_s) {
   return step_s / (step_s + slow_s);
 }
 
 inline std::int64_t in_ns(float time_s) {
-  return std::llround(of(time_s) * 1e9);
+  return std::llround(widened(time_s) * 1e9);
 }
 
 // True if the time is over, or will be before the next tick: a limit in seconds is not passed by a
@@ -51,7 +51,7 @@ inline void note_time(const GuardConfig& config, GuardState& state, std::int64_t
 // The time that the present tick covers.
 inline double step_s(const GuardConfig& config, const GuardState& state) {
   const bool one_period = state.step_ns == in_ns(config.period_s);
-  return one_period ? of(config.period_s) : static_cast<double>(state.step_ns) * 1e-9;
+  return one_period ? widened(config.period_s) : static_cast<double>(state.step_ns) * 1e-9;
 }
 
 // The same for what has to go on even while the clock stands still: then it is one period.

@@ -14,7 +14,7 @@ namespace {
 // The force, or torque, that acted during the motion that the device reports now.
 Vec3 acted_then(const GuardConfig& config,
                 const std::array<Vec3, kMaxDelayTicks + 2>& newest_first) {
-  const double ticks = std::clamp(of(config.device.delay_s) / of(config.period_s), 0.0,
+  const double ticks = std::clamp(widened(config.device.delay_s) / widened(config.period_s), 0.0,
                                   static_cast<double>(kMaxDelayTicks));
   const auto whole = static_cast<std::size_t>(ticks);
   const double part = ticks - static_cast<double>(whole);
@@ -23,12 +23,12 @@ Vec3 acted_then(const GuardConfig& config,
 
 // The small turn from one rotation to the next, as a vector along its axis, rad.
 Vec3 turn_between(Quat from, Quat to) {
-  const double w =
-      of(to.w) * of(from.w) + of(to.x) * of(from.x) + of(to.y) * of(from.y) + of(to.z) * of(from.z);
+  const double w = widened(to.w) * widened(from.w) + widened(to.x) * widened(from.x) +
+                   widened(to.y) * widened(from.y) + widened(to.z) * widened(from.z);
   const double twice = w < 0 ? -2 : 2;  // both signs are the same rotation
   const auto part = [&](float a, float b, float c, float d, float e, float f, float g, float h) {
-    return static_cast<float>(twice *
-                              (of(a) * of(b) - of(c) * of(d) - of(e) * of(f) + of(g) * of(h)));
+    return static_cast<float>(twice * (widened(a) * widened(b) - widened(c) * widened(d) -
+                                       widened(e) * widened(f) + widened(g) * widened(h)));
   };
   return {part(to.x, from.w, to.w, from.x, to.y, from.z, to.z, from.y),
           part(to.y, from.w, to.w, from.y, to.z, from.x, to.x, from.z),
@@ -38,7 +38,7 @@ Vec3 turn_between(Quat from, Quat to) {
 }  // namespace
 
 void lose_sight(const GuardConfig& config, EnergyObserver& energy) {
-  if (energy.have_position != 0) energy.energy_j = of(config.stored_energy_j);
+  if (energy.have_position != 0) energy.energy_j = widened(config.stored_energy_j);
   energy.have_position = energy.have_rotation = 0;
   energy.path_m_per_s = 0;
 }
@@ -48,7 +48,7 @@ void observe_path(const GuardConfig& config, GuardState& state, Vec3 position_m)
   const double time_s = since_last_s(config, state);
   const double speed = wide_length(position_m - state.pose_m) / time_s;
   double& path = state.energy.path_m_per_s;
-  path += (speed - path) * share_of(time_s, of(kPathS));
+  path += (speed - path) * gain_of(time_s, widened(kPathS));
 }
 
 void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_m) {
@@ -56,18 +56,19 @@ void observe_motion(const GuardConfig& config, GuardState& state, Vec3 position_
   if (energy.have_position == 0) energy.position_m = position_m;
   energy.have_position = 1;
   const Vec3 way = position_m - energy.position_m;
-  const double size = wide_length(way), slack = of(config.device.resolution_m);
+  const double size = wide_length(way), slack = widened(config.device.resolution_m);
   const Vec3 before = energy.position_m;
   if (size > slack) energy.position_m = before + scaled(way, 1 - slack / size);
   const Vec3 moved = energy.position_m - before;
   const double time_s = since_last_s(config, state);
   const Vec3 slower = scaled(moved, 1 / time_s) - energy.velocity_m_per_s;
-  energy.velocity_m_per_s = energy.velocity_m_per_s + scaled(slower, share_of(time_s, of(kSpeedS)));
-  const double damped =
-      of(config.device.damping_n_s_per_m) * std::max(wide_dot(energy.velocity_m_per_s, moved), 0.0);
-  energy.energy_j += damped + of(config.device.friction_n) * wide_length(moved) -
+  energy.velocity_m_per_s =
+      energy.velocity_m_per_s + scaled(slower, gain_of(time_s, widened(kSpeedS)));
+  const double damped = widened(config.device.damping_n_s_per_m) *
+                        std::max(wide_dot(energy.velocity_m_per_s, moved), 0.0);
+  energy.energy_j += damped + widened(config.device.friction_n) * wide_length(moved) -
                      wide_dot(acted_then(config, energy.force_n), moved);
-  energy.energy_j = std::min(energy.energy_j, of(config.stored_energy_j));
+  energy.energy_j = std::min(energy.energy_j, widened(config.stored_energy_j));
   energy.least_j = std::min(energy.least_j, energy.energy_j);
 }
 
@@ -88,7 +89,7 @@ void remember(std::array<Vec3, kMaxDelayTicks + 2>& newest_first, Vec3 value) {
 Vec3 damped(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   const EnergyObserver& energy = state.energy;
   const double square = wide_dot(energy.velocity_m_per_s, energy.velocity_m_per_s);
-  const double most = of(config.passivity_damping_n_s_per_m);
+  const double most = widened(config.passivity_damping_n_s_per_m);
   if (!(most > 0 && energy.energy_j < 0 && square > 0)) return force_n;
   ++state.counters.force_damped;
   const double damping = std::min(most, -energy.energy_j / (step_s(config, state) * square));

@@ -20,21 +20,21 @@ using namespace guarding;
 // one once they are warm. A force still heats the motors while it falls, by slew or in a fade; if
 // that would take more than what is left of the budget, the force is too large.
 double largest_force(const GuardConfig& config, const GuardState& state) {
-  const double most = of(config.max_force_n), always = of(config.continuous_force_n);
+  const double most = widened(config.max_force_n), always = widened(config.continuous_force_n);
   if (always >= most) return most;
   const double warm = state.heat_n2 / (always * always);
-  const double back = std::max((warm - of(kWarmShare)) / (1 - of(kWarmShare)), 0.0);
-  const double fall_s =
-      std::max(most / of(config.max_slew_n_per_s), of(kDecayS)) / 3 + of(config.period_s);
+  const double back = std::max((warm - widened(kWarmShare)) / (1 - widened(kWarmShare)), 0.0);
+  const double fall_s = std::max(most / widened(config.max_slew_n_per_s), widened(kDecayS)) / 3 +
+                        widened(config.period_s);
   const double left_n2 = std::max(always * always - state.heat_n2, 0.0);
-  const double falls = std::sqrt(left_n2 * of(config.thermal_s) / fall_s);
+  const double falls = std::sqrt(left_n2 * widened(config.thermal_s) / fall_s);
   return std::max(std::min(most + (always - most) * back, falls), always);
 }
 
 // Uses the larger of the force sent and the force the motors report: a device that follows a spring
 // by itself may have more force than was sent.
 void note_heat(const GuardConfig& config, GuardState& state) {
-  const double share = std::min(step_s(config, state) / of(config.thermal_s), 1.0);
+  const double share = std::min(step_s(config, state) / widened(config.thermal_s), 1.0);
   const double told_n2 = state.have_motor != 0 ? wide_dot(state.motor_n, state.motor_n) : 0.0;
   const double felt_n2 = std::max(wide_dot(state.force_n, state.force_n), told_n2);
   state.heat_n2 += share * (felt_n2 - state.heat_n2);
@@ -43,12 +43,12 @@ void note_heat(const GuardConfig& config, GuardState& state) {
 void watch_for_buzz(const GuardConfig& config, GuardState& state) {
   BuzzDetector& buzz = state.buzz;
   constexpr double kPi = 3.14159265358979324;
-  const double share = share_of(step_s(config, state), 1 / (2 * kPi * of(kBuzzHz)));
-  buzz.slow_n = buzz.slow_n + scaled(state.force_n - buzz.slow_n, share);
+  const double gain = gain_of(step_s(config, state), 1 / (2 * kPi * widened(kBuzzHz)));
+  buzz.slow_n = buzz.slow_n + scaled(state.force_n - buzz.slow_n, gain);
   const Vec3 quick = state.force_n - buzz.slow_n;
   buzz.ns += state.step_ns;
   if (buzz.ns > in_ns(0.5F / kBuzzHz)) buzz.turns = 0;
-  if (wide_length(quick) < of(config.buzz_n)) return;
+  if (wide_length(quick) < widened(config.buzz_n)) return;
   if (buzz.turns != 0 && wide_dot(quick, buzz.last_n) >= 0) return;
   ++buzz.turns;
   buzz.ns = 0;
@@ -68,15 +68,15 @@ Vec3 limited(const GuardConfig& config, GuardState& state, Vec3 wanted) {
   Vec3 force = wanted;
   if (const double size = wide_length(force); size > max_force) {
     ++state.counters.force_limited;
-    if (max_force < of(config.max_force_n)) ++state.counters.force_warm;
+    if (max_force < widened(config.max_force_n)) ++state.counters.force_warm;
     force = scaled(force, max_force / size);
   }
   force = scaled(force, gain);
   const Vec3 last = state.force_n;
   const Vec3 change = force - last;
   // A late tick allows no larger change than one in time: the motors may not have moved meanwhile.
-  const double change_s = std::min(step_s(config, state), of(config.period_s));
-  const double max_change = of(config.max_slew_n_per_s) * change_s;
+  const double change_s = std::min(step_s(config, state), widened(config.period_s));
+  const double max_change = widened(config.max_slew_n_per_s) * change_s;
   if (const double size = wide_length(change); size > max_change) {
     ++state.counters.slew_limited;
     force = last + scaled(change, max_change / size);
@@ -95,7 +95,7 @@ bool faded(const GuardConfig& config, GuardState& state) {
   const double wanted = ticks_left > 0 ? 1 - now / end : 0.0;
   const double size = wide_length(state.fade_from_n);
   const double fall_n =
-      (1 + kRoundingShare) * of(config.max_slew_n_per_s) * static_cast<double>(step_ns) * 1e-9;
+      (1 + kRoundingShare) * widened(config.max_slew_n_per_s) * static_cast<double>(step_ns) * 1e-9;
   const double least = size > fall_n ? state.fade_left - fall_n / size : 0.0;
   state.fade_left = std::max({wanted, least, 0.0});
   state.force_n = scaled(state.fade_from_n, state.fade_left);
@@ -162,7 +162,7 @@ GuardState guard_start() {
 
 void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns) {
   const double idle_s = static_cast<double>(std::max<std::int64_t>(idle_ns, 0)) * 1e-9;
-  state.heat_n2 /= 1 + idle_s / of(config.thermal_s);  // falls more slowly than motors cool
+  state.heat_n2 /= 1 + idle_s / widened(config.thermal_s);  // falls more slowly than motors cool
   lose_sight(config, state.energy);
   state.have_seq = state.have_pose = 0;
   state.have_time = state.force_due = state.torque_due = 0;
@@ -203,7 +203,7 @@ void guard_motor(GuardState& state, const MotorReport& report) {
   }
 }
 
-bool guard_lets_go(const GuardState& state) {
+bool guard_withdraws_force(const GuardState& state) {
   return !is_armed(state.mode);
 }
 
@@ -252,7 +252,8 @@ Vec3 guard_force(const GuardConfig& config, GuardState& state, Vec3 force_n) {
   // While the force is less than full the observer uses what the kernel asks for: a spring that is
   // switched on gives back energy that it has stored, and has not made that energy.
   const bool full = state.mode == GuardMode::kLive;
-  remember(state.energy.force_n, full ? state.force_n : shortened(force_n, of(config.max_force_n)));
+  remember(state.energy.force_n,
+           full ? state.force_n : shortened(force_n, widened(config.max_force_n)));
   note_heat(config, state);
   if (wide_dot(state.force_n, state.force_n) != 0) state.forced = 1;
   return state.force_n;
@@ -293,7 +294,7 @@ Command guard_command(const GuardConfig& config, const GuardState& force_state,
           .place_m = force_state.pose_m,
           .max_force_n = config.max_force_n,
           .arming = force_state.arming,
-          .falls = guard_lets_go(force_state)};
+          .falls = guard_withdraws_force(force_state)};
 }
 
 bool guard_rearm(GuardState& state, Fault seen) {

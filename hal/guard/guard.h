@@ -181,7 +181,7 @@ void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idl
 void guard_motor(GuardState& state, const MotorReport& report);
 
 // Whether the force can only fall: it is fading, or there is none.
-bool guard_lets_go(const GuardState& state);
+bool guard_withdraws_force(const GuardState& state);
 
 // Whether a force is on its way to zero: after a fault, or since the button was released.
 bool guard_falls(const GuardState& state);

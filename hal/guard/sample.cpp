@@ -24,13 +24,14 @@ bool is_finite(const Pose& pose) {
 
 bool plausible(const Pose& pose) {
   const Quat& q = pose.rotation;
-  const double axis = wide_length({q.x, q.y, q.z}), w = of(q.w);
-  return wide_length(pose.position_m) <= of(kMaxDistanceM) &&
+  const double axis = wide_length({q.x, q.y, q.z}), w = widened(q.w);
+  return wide_length(pose.position_m) <= widened(kMaxDistanceM) &&
          std::fabs(axis * axis + w * w - 1.0) <= kRotationTolerance;
 }
 
 bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m) {
-  const double most = of(kJumpM) + of(config.max_speed_m_per_s) * since_last_s(config, state);
+  const double most =
+      widened(kJumpM) + widened(config.max_speed_m_per_s) * since_last_s(config, state);
   return state.have_pose != 0 && wide_length(position_m - state.pose_m) > most;
 }
 
@@ -47,7 +48,7 @@ Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
   state.have_seq = 1;
   state.seq = sample.seq;
   const double age_ns = static_cast<double>(now_ns) - static_cast<double>(sample.t_ns);
-  if (age_ns > of(config.watchdog_s) * 1e9 || age_ns < -static_cast<double>(kMaxLateNs)) {
+  if (age_ns > widened(config.watchdog_s) * 1e9 || age_ns < -static_cast<double>(kMaxLateNs)) {
     ++count.samples_old;
     return Fault::kStaleSamples;
   }
@@ -96,7 +97,7 @@ void clear_before_any_force(GuardState& state) {
 
 void trip_on_motion(const GuardConfig& config, GuardState& state) {
   const EnergyObserver& energy = state.energy;
-  const double most = of(config.max_speed_m_per_s);
+  const double most = widened(config.max_speed_m_per_s);
   if (wide_length(energy.velocity_m_per_s) > most || energy.path_m_per_s > most) {
     guard_trip(state, Fault::kTooFast);
   }

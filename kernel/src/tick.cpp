@@ -78,10 +78,10 @@ bool seek_contact(const Model& model, State& state, Scratch& scratch, const Need
   const Contact contact = find_contact(model, state, needle.tip_m, needle.tip_direction, reach_m,
                                        search.known_before ? step : Vec3{}, rest, place, flags);
   const Vec3 forward = needle.tip_direction - 0.5F * cross(search.turn, needle.tip_direction);
-  float came = search.known_before ? dot(step, forward) : 0;
-  if (contact == Contact::kSideways) came = norm(step);  // the tip has come only this way
+  float advance_m = search.known_before ? dot(step, forward) : 0;
+  if (contact == Contact::kSideways) advance_m = norm(step);  // the tip has come only this way
   const bool found = contact == Contact::kFound || contact == Contact::kSideways;
-  if (found) begin_contact(model, state, scratch, needle, rest, place, came);
+  if (found) begin_contact(model, state, scratch, needle, rest, place, advance_m);
   if (contact == Contact::kNone && !search.has_left) own.leaving = 0;
   return contact != Contact::kUnknown;
 }
@@ -199,9 +199,9 @@ void move_needle(const Model& model, State& state, Scratch& scratch, const Input
 // In the paper a CP moves by whole needle units, and only before the tissue's step.
 void slip_again(const Model& model, State& state, const Needle& needle) {
   if (!model.head->rules.slips_again) return;
-  let_cut(model, state);
+  cut_after_step(model, state);
   for (std::uint32_t i = 0; i < state.needle->shaft_count; ++i) {
-    let_slip(model, state, needle, state.shaft[i]);
+    slip_after_step(model, state, needle, state.shaft[i]);
   }
 }
 
@@ -250,19 +250,19 @@ Output faulted(const State& state) {
 }  // namespace
 
 void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outputs) {
-  auto [model, all, scratch] = view_of(kernel);  // `all`: the first needle's, and the tissue's
-  StateHead& head = *all.head;
+  auto [model, first, scratch] = view_of(kernel);  // `first`: the first needle's, and the tissue's
+  StateHead& head = *first.head;
   const std::uint32_t count = model.head->counts.needles;
   ++head.tick;
   Moved moved[kMaxNeedles] = {};
   Output out[kMaxNeedles] = {};
   if (head.latched_fault == 0) {
     for (std::uint32_t i = 0; i < count; ++i) {
-      State own = needle_state(all, i);
+      State own = needle_state(first, i);
       const Input input = i < inputs.size() ? inputs[i] : Input{};
       move_needle(needle_model(model, i), own, scratch, input, moved[i]);
     }
-    const std::uint32_t flags = gather_coupled(model, all, scratch);  // 10: tissue
+    const std::uint32_t flags = gather_coupled(model, first, scratch);  // 10: tissue
     const std::uint32_t substeps = model.head->config.substeps;
     for (std::uint32_t s = 0; s < substeps; ++s) {
       scratch.head->substeps_to_come = substeps - 1 - s;
@@ -271,16 +271,16 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
     // Tissue dragged to a hundredfold of its length may overflow, and a needle that has left the
     // tissue would not show it.
     if (!is_finite(head.max_displacement_m)) latch_fault(head);
-    measure_forces(model, all);
+    measure_forces(model, first);
     for (std::uint32_t i = 0; i < count; ++i) {
       out[i].flags = flags;
-      State own = needle_state(all, i);
+      State own = needle_state(first, i);
       report_needle(needle_model(model, i), own, scratch, moved[i], out[i]);
     }
   }
   // One needle's fault stops all needles: they share the tissue.
   for (std::uint32_t i = 0; i < count && i < outputs.size(); ++i) {
-    outputs[i] = head.latched_fault == 0 ? out[i] : faulted(all);
+    outputs[i] = head.latched_fault == 0 ? out[i] : faulted(first);
   }
 }
 

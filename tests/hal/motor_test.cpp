@@ -183,7 +183,7 @@ struct Session {
     (void)guard_sample(guard, state, answered, sample, now_ns);
     relay->write({.force_n = guard_force(guard, state, asked()),
                   .arming = state.arming,
-                  .falls = guard_lets_go(state),
+                  .falls = guard_withdraws_force(state),
                   .end_ns = next_end_ns()});
     if (state.arming != arming && !felt) accept();  // none is needed before any force
     loop_ns = now_ns;
@@ -217,7 +217,7 @@ struct Session {
       (void)relay->read(now_ns, unused);
       relay->write({.force_n = state.force_n,
                     .arming = state.arming,
-                    .falls = guard_lets_go(state),
+                    .falls = guard_withdraws_force(state),
                     .end_ns = ends ? std::max<std::int64_t>(orders_end_ns, 1) : 0});
       loop_ns = now_ns;
       judge(relay->order(now_ns).force_n);

@@ -225,7 +225,7 @@ stylet_status stylet_guard_get_report(const stylet_guard* guard, stylet_guard_re
                                       static_cast<std::uint32_t>(s.fault),
                                       latched ? static_cast<std::uint32_t>(n.faults) : 0,
                                       s.arming,
-                                      hal::guard_lets_go(s) ? 1U : 0U,
+                                      hal::guard_withdraws_force(s) ? 1U : 0U,
                                       c::plain(s.force_n),
                                       c::plain(guard->torque.force_n),
                                       s.energy.energy_j,

@@ -80,10 +80,10 @@ void end_contact(State& state) {
 }  // namespace
 
 void begin_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
-                   Vec3 rest_m, Vec3 place_m, float came_m) {
+                   Vec3 rest_m, Vec3 place_m, float advance_m) {
   NeedleState& own = *state.needle;
   const float depth = dot(needle.tip_m - place_m, needle.tip_direction);
-  const float buried = depth - max_of(came_m, 0);
+  const float buried = depth - max_of(advance_m, 0);
   if (own.leaving != 0 && buried <= mouth_m(model)) return;
   own.leaving = 0;
   own.moved_m = model.head->counts.needles > 1 ? place_m - rest_m : Vec3{};
@@ -112,14 +112,14 @@ void update_contact(const Model& model, State& state, Scratch& scratch, const Ne
   const ModelHead& head = *model.head;
   Particle& tip = *state.tip;
   const float felt = dot(tip.force_n, needle.tip_direction);
-  const float away = dot(residual(tip), needle.tip_direction);
-  if (away < -kReleaseSkinM) {
+  const float ahead_m = dot(residual(tip), needle.tip_direction);
+  if (ahead_m < -kReleaseSkinM) {
     if (!hold_on(model, state, needle, flags_out)) end_contact(state);
     return;
   }
   if (head.rules.contact_law) relax_contact(model, state, needle.tip_direction, step_m);
   const std::uint32_t track = track_of(model, state, needle, tip);
-  const bool node_inside = away > model.needle_config().unit_m;
+  const bool node_inside = ahead_m > model.needle_config().unit_m;
   const bool through = head.rules.unit_punctures
                            ? node_inside
                            : felt >= puncture_force(model, state, tip.material,

@@ -11,12 +11,12 @@
 namespace stylet {
 
 // Starts contact: the tip holds the surface point `rest_m` (rest frame), now at `place_m`. Only the
-// `came_m` that the tip moved forward in this tick are pressed in. If it lies deeper (it slid in
+// `advance_m` that the tip moved forward in this tick are pressed in. If it lies deeper (it slid in
 // over an edge, or the tissue came to it), it holds the tissue there without force: nobody has done
 // the work of pressing it in. If it lies deep behind the entry of a track, it is in that track
 // again. If it has just left its track, it does not touch what it lies in there.
 void begin_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
-                   Vec3 rest_m, Vec3 place_m, float came_m);
+                   Vec3 rest_m, Vec3 place_m, float advance_m);
 
 // The contact goes on, ends, or becomes a puncture.
 void update_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,

@@ -142,7 +142,7 @@ void rehome_tip(const Model& model, State& state) {
   own.track_end_m = max_of(own.track_end_m, tip.track_m);
 }
 
-void let_cut(const Model& model, State& state) {
+void cut_after_step(const Model& model, State& state) {
   NeedleState& own = *state.needle;
   Particle& tip = *state.tip;
   if (own.phase == Phase::kFree || own.phase == Phase::kContact || tip.support_count == 0) return;

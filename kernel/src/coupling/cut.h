@@ -31,6 +31,6 @@ void rehome_tip(const Model& model, State& state);
 // tick did so without force. Where the released tissue follows it, the tip takes back as much of
 // the slip: else it would press at the tick's end but not while it slipped, a force that the hand
 // had not paid for. A tip that has just reached another material enters it with the next cut.
-void let_cut(const Model& model, State& state);
+void cut_after_step(const Model& model, State& state);
 
 }  // namespace stylet

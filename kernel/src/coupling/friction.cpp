@@ -87,15 +87,15 @@ void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle
     const float slip = overshoot(model, p, dot(force, direction), -limit, limit);
     stretch_of(state, scratch, i) =
         (1 / p.stiffness_n_per_m) * (force - p.force_n) - slip * direction;
-    const float all = slip + renew(model, p, direction, slip, moved_m, state.head->friction_j);
-    p.arc_m += all;
+    const float whole = slip + renew(model, p, direction, slip, moved_m, state.head->friction_j);
+    p.arc_m += whole;
     p.position_m = needle_place(needle, p.arc_m);
-    note_slip(head, p, all);
+    note_slip(head, p, whole);
     p.slip_m = slip * direction;
   }
 }
 
-void let_slip(const Model& model, State& state, const Needle& needle, Particle& p) {
+void slip_after_step(const Model& model, State& state, const Needle& needle, Particle& p) {
   const float loose_m = kEndTolerance * model.needle_config().unit_m;
   const float least = loose_m * least_friction_n_per_m(p.friction);
   const bool pushes = dot(p.force_n, p.slip_m) < 0;

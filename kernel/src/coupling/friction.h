@@ -36,6 +36,6 @@ float friction_limit_n(const Model& model, const State& state, const Particle& p
 // friction must not push the needle in the direction of its slip. If the tissue has followed the
 // needle since a slip of this tick, the CP takes back as much of the slip, down to zero force.
 // Else it would be at its limit again at the next slip, and that push would cost the hand nothing.
-void let_slip(const Model& model, State& state, const Needle& needle, Particle& p);
+void slip_after_step(const Model& model, State& state, const Needle& needle, Particle& p);
 
 }  // namespace stylet

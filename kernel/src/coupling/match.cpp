@@ -219,7 +219,7 @@ void match_matrix(const Corners& corners, const CpSums& s, float k, float edge_m
 }  // namespace
 
 // A slip takes work at the mean of the forces before and after, like the hand's work in the books.
-// A force that would push the slip on does not count: let_slip takes it back.
+// A force that would push the slip on does not count: slip_after_step takes it back.
 void measure_forces(const Model& model, State& state) {
   for_each_particle(model, state, [&](std::uint32_t index) {
     Particle& p = particle_at(state, index);

@@ -17,8 +17,8 @@ float size_of(float way_m) {
 // comes back by a / (L + a), and the CP slips as much farther: a = s + b a / (L + a).
 float renewing_way(float slip_m, float relaxed_m, float moved_m) {
   const float off = slip_m + relaxed_m - kRenewalLengthM;
-  const float all = 0.5F * (off + std::sqrt(off * off + 4 * kRenewalLengthM * slip_m));
-  return min_of(all, max_of(slip_m, moved_m));
+  const float whole = 0.5F * (off + std::sqrt(off * off + 4 * kRenewalLengthM * slip_m));
+  return min_of(whole, max_of(slip_m, moved_m));
 }
 
 }  // namespace
@@ -27,9 +27,9 @@ float overshoot(const Model& model, const Particle& p, float axial_n, float low_
   const ModelHead& head = *model.head;
   if (head.rules.unit_slips) {
     const float unit = model.needle_config().unit_m;
-    const float away = axial_n / p.stiffness_n_per_m;
+    const float beyond_m = axial_n / p.stiffness_n_per_m;
     constexpr auto kMost = static_cast<float>(kMaxUnitsPerTick);
-    const float units = clamp(away / unit, -kMost, kMost);
+    const float units = clamp(beyond_m / unit, -kMost, kMost);
     return is_finite(units) ? whole_part(units) * unit : 0;  // else a fault, at the tick's end
   }
   const float excess =

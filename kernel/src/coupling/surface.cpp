@@ -154,7 +154,7 @@ float contact_reach_m(const Model& model) {
 }
 
 Contact find_contact(const Model& model, State& state, Vec3 tip_m, Vec3 direction, float reach_m,
-                     Vec3 came_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out) {
+                     Vec3 step_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out) {
   Search search = {};
   // sqrt(3), because the displacement bound is per axis.
   search.grow_m = 1.7320509F * state.head->max_displacement_m;
@@ -162,15 +162,15 @@ Contact find_contact(const Model& model, State& state, Vec3 tip_m, Vec3 directio
   bool whole = search_along(
       model, state, {tip_m - reach_m * direction, direction, reach_m - kContactSkinM}, search);
   // For a tip that comes in sideways, the surface may be farther behind it, or nowhere behind it.
-  const float way = norm(came_m);
+  const float way = norm(step_m);
   const bool sideways =
-      whole && !search.found && way > kContactSkinM && dot(came_m, direction) > -kSideways * way;
+      whole && !search.found && way > kContactSkinM && dot(step_m, direction) > -kSideways * way;
   if (sideways) {
     // From the skin before the last tip to the skin before this one: nothing between the ticks is
     // left out.
-    const Vec3 along = (1 / way) * came_m;
+    const Vec3 along = (1 / way) * step_m;
     whole =
-        search_along(model, state, {tip_m - came_m - kContactSkinM * along, along, way}, search);
+        search_along(model, state, {tip_m - step_m - kContactSkinM * along, along, way}, search);
     const float depth = dot(tip_m - search.place_m, direction);
     if (depth < kContactSkinM) search.place_m = tip_m - kContactSkinM * direction;
   }

@@ -25,9 +25,9 @@ enum class Contact : std::uint32_t { kNone, kFound, kSideways, kUnknown };
 float contact_reach_m(const Model& model);
 
 // Looks for the surface along the front part of the needle that ends here, `reach_m` long, then
-// along the tip's way in this tick, `came_m`. If found: gives the rest and present place of the
+// along the tip's way in this tick, `step_m`. If found: gives the rest and present place of the
 // crossing nearest the tip.
 Contact find_contact(const Model& model, State& state, Vec3 tip_m, Vec3 direction, float reach_m,
-                     Vec3 came_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out);
+                     Vec3 step_m, Vec3& rest_out_m, Vec3& place_out_m, std::uint32_t& flags_out);
 
 }  // namespace stylet
