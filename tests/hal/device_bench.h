@@ -19,8 +19,18 @@
 #include "hal/device/devices.h"
 #include "hal/guard/guard.h"
 #include "standin/standin.h"
+#include "vectors.h"
 
 namespace stylet::hal {
+
+// Some of the axes x, y and z.
+struct AxisSet {
+  bool x = true, y = true, z = true;
+
+  bool any() const { return x || y || z; }
+  Vec3 of(Vec3 v) const { return {x ? v.x : 0, y ? v.y : 0, z ? v.z : 0}; }
+};
+constexpr AxisSet kNoAxis = {false, false, false};
 
 class Bench {
  public:
@@ -35,12 +45,11 @@ class Bench {
   virtual void trouble(test::Trouble trouble) = 0;
   virtual void refuse_watchdog(bool /*refused*/) {}
   virtual void hang(test::Hang /*call*/) {}
-  // Each of these is true only if it holds for all three axes.
-  bool places = true;   // measures its position; otherwise it gives a speed
+  AxisSet places;       // along which it measures its position; along the others it gives a speed
+  AxisSet feels;        // along which it renders force
   bool presses = true;  // has buttons
   bool fails = true;    // may stop answering; otherwise silence means rest
-  bool feels = true;    // renders force
-  bool turns = true;    // measures its rotation
+  bool turns = true;    // measures its whole rotation
   bool latches = true;  // after it came back it has no force until it is opened again
 };
 using MakeBench = std::unique_ptr<Bench> (*)();
@@ -52,6 +61,8 @@ inline std::string test_port() {
 
 std::unique_ptr<Bench> hd_bench();
 std::unique_ptr<Bench> dhd_bench();
+// A device with one motor, which pushes along z, and one encoder, which measures the way along z.
+std::unique_ptr<Bench> one_axis_bench();
 // One of the vendor's two devices, 0 or 1, by its name.
 std::unique_ptr<Bench> hd_bench_of(int unit);
 std::unique_ptr<Bench> dhd_bench_of(int unit);
@@ -61,12 +72,8 @@ std::unique_ptr<Bench> pointer_bench();
 std::unique_ptr<Bench> udp_bench();
 std::unique_ptr<Bench> shm_bench();
 
-inline double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
-inline Vec3 minus(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
+using test::minus;
+using test::size;
 
 // An open device with the guard around it, ticked by the test on the real clock.
 class Ticker {

@@ -42,13 +42,22 @@ void PrintTo(const Backend& backend, std::ostream* out) {
   *out << backend.name;
 }
 
+constexpr Vec3 kForce = {0.5F, 1, -1.5F};
+
+// As large as kForce, along the axes in which the device has a force.
+Vec3 push_on(const Bench& bench) {
+  const Vec3 along = bench.feels.any() ? bench.feels.of(kForce) : kForce;
+  const auto scale = static_cast<float>(size(kForce) / size(along));
+  return {scale * along.x, scale * along.y, scale * along.z};
+}
+
 class DeviceContract : public testing::TestWithParam<Backend> {
  protected:
   std::unique_ptr<Bench> bench = GetParam().make();
+  const Vec3 push = push_on(*bench);
 };
 
 constexpr float kRoot = 0.70710678F;
-constexpr Vec3 kForce = {0.5F, 1, -1.5F};
 
 Quat product_sign(const Quat& a, const Quat& b) {
   const float same = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
@@ -56,7 +65,7 @@ Quat product_sign(const Quat& a, const Quat& b) {
 }
 
 TEST_P(DeviceContract, PlacesAreMetresInOurFrame) {
-  if (!bench->places) GTEST_SKIP() << "it says how fast to move";
+  if (!bench->places.any()) GTEST_SKIP() << "it says how fast to move";
   Ticker ticker(bench->uri());
   const Pose places[] = {{{0.01F, 0.02F, -0.03F}, {1, 0, 0, 0}},
                          {{-0.04F, 0, 0}, {kRoot, kRoot, 0, 0}},
@@ -69,7 +78,8 @@ TEST_P(DeviceContract, PlacesAreMetresInOurFrame) {
         {},
         [&] {
           return ticker.usable &&
-                 size(minus(ticker.sample.pose.position_m, place.position_m)) < 1e-6 &&
+                 size(bench->places.of(minus(ticker.sample.pose.position_m, place.position_m))) <
+                     1e-6 &&
                  (!bench->turns ||
                   product_sign(ticker.sample.pose.rotation, place.rotation).w > 0.99999F);
         }))
@@ -79,10 +89,11 @@ TEST_P(DeviceContract, PlacesAreMetresInOurFrame) {
 }
 
 TEST_P(DeviceContract, ForceOnTheHandHasOurSignAndAxes) {
-  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  if (!bench->feels.any()) GTEST_SKIP() << "a device without force";
   Ticker ticker(bench->uri());
   for (const Vec3 force : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, kForce}) {
-    EXPECT_TRUE(ticker.tick_until(force, [&] { return size(minus(bench->felt(), force)) < 1e-5; }))
+    const Vec3 wanted = bench->feels.of(force);
+    EXPECT_TRUE(ticker.tick_until(force, [&] { return size(minus(bench->felt(), wanted)) < 1e-5; }))
         << bench->felt().x << " " << bench->felt().y << " " << bench->felt().z;
   }
 }
@@ -132,9 +143,9 @@ TEST_P(DeviceContract, SequenceAndTimeNeverGoBack) {
 }
 
 TEST_P(DeviceContract, ForceEndsWhenTheLoopStops) {
-  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  if (!bench->feels.any()) GTEST_SKIP() << "a device without force";
   Ticker ticker(bench->uri());
-  ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+  ASSERT_TRUE(ticker.tick_until(push, [&] { return size(bench->felt()) > 1; }));
   std::this_thread::sleep_for(std::chrono::milliseconds(60));  // without a tick: 20 ms and more
   EXPECT_EQ(size(bench->felt()), 0);
 }
@@ -147,11 +158,12 @@ struct Felt {
 
 // Whatever the loop does, the hand feels no kick. The force is observed where it is felt.
 TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
-  if (!bench->feels || !bench->latches) GTEST_SKIP() << "a peer's own program renders the force";
+  if (!bench->feels.any() || !bench->latches)
+    GTEST_SKIP() << "a peer's own program renders the force";
   Ticker ticker(bench->uri());
   const double slew = static_cast<double>(ticker.device.info.max_slew_n_per_s);
   for (const int stall_ms : {6, 12, 15, 25, 60}) {
-    ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; })) << stall_ms;
+    ASSERT_TRUE(ticker.tick_until(push, [&] { return size(bench->felt()) > 1; })) << stall_ms;
     std::atomic<bool> stop{false};
     std::vector<Felt> seen;
     seen.reserve(100'000);
@@ -164,7 +176,7 @@ TEST_P(DeviceContract, StallsOfTheLoopAreNoKicks) {
       }
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(stall_ms));
-    for (int i = 0; i < 50; ++i) ticker.tick(kForce);  // nobody acknowledges
+    for (int i = 0; i < 50; ++i) ticker.tick(push);  // nobody acknowledges
     stop.store(true);
     looker.join();
     const bool expired = ticker.state.fault != Fault::kNone;
@@ -188,8 +200,8 @@ TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
   int at_once = 0;  // in the other tries this machine was busy
   for (int i = 0; i < 3; ++i) {
     Ticker ticker(bench->uri());
-    if (bench->feels) {
-      EXPECT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+    if (bench->feels.any()) {
+      EXPECT_TRUE(ticker.tick_until(push, [&] { return size(bench->felt()) > 1; }));
     }
     ticker.close();
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -202,11 +214,12 @@ TEST_P(DeviceContract, ClosedDeviceHasNoForceAndOpensAgain) {
 
 // The best of five tries: in the others this machine was busy.
 double best_ms_to_zero(Bench& bench, test::Trouble trouble) {
+  const Vec3 push = push_on(bench);
   double best = 1e9;
   for (int i = 0; i < 5 && best > 25; ++i) {
     bench.trouble(test::Trouble::kNone);
     Ticker ticker(bench.uri(), 3e-3F);
-    if (!ticker.tick_until(kForce, [&] { return size(bench.felt()) > 1; })) continue;
+    if (!ticker.tick_until(push, [&] { return size(bench.felt()) > 1; })) continue;
     const auto start = std::chrono::steady_clock::now();
     bench.trouble(trouble);
     std::chrono::duration<double, std::milli> past{};
@@ -217,7 +230,7 @@ double best_ms_to_zero(Bench& bench, test::Trouble trouble) {
         best = std::min(best, past.count());
         break;
       }
-      ticker.tick(kForce);
+      ticker.tick(push);
     }
   }
   bench.trouble(test::Trouble::kNone);
@@ -225,31 +238,31 @@ double best_ms_to_zero(Bench& bench, test::Trouble trouble) {
 }
 
 TEST_P(DeviceContract, SilentDeviceHasNoForceAfter25Milliseconds) {
-  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  if (!bench->feels.any()) GTEST_SKIP() << "a device without force";
   EXPECT_LE(best_ms_to_zero(*bench, test::Trouble::kSilent), 25);
 }
 
 TEST_P(DeviceContract, BrokenDeviceHasNoForceAfter25Milliseconds) {
-  if (!bench->feels) GTEST_SKIP() << "a device without force";
+  if (!bench->feels.any()) GTEST_SKIP() << "a device without force";
   EXPECT_LE(best_ms_to_zero(*bench, test::Trouble::kNoAnswer), 25);
 }
 
 // After trouble a device that is back shall not push, whatever the loop asks, until it is opened
 // again.
 TEST_P(DeviceContract, TroubleIsLatched) {
-  if (!bench->feels || !bench->latches) GTEST_SKIP() << "it is the guard that latches here";
+  if (!bench->feels.any() || !bench->latches) GTEST_SKIP() << "it is the guard that latches here";
   {
     Ticker ticker(bench->uri());
-    ASSERT_TRUE(ticker.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+    ASSERT_TRUE(ticker.tick_until(push, [&] { return size(bench->felt()) > 1; }));
     bench->trouble(test::Trouble::kNoAnswer);
-    ASSERT_NE(ticker.trouble_under(kForce), "");
+    ASSERT_NE(ticker.trouble_under(push), "");
     bench->trouble(test::Trouble::kNone);
     const std::int64_t felt_until_ns =
         monotonic_now_ns() + 25'000'000;  // what was left of the force fades
     double last = size(bench->felt());
     for (int i = 0; i < 100; ++i) {
       ticker.tick({});
-      ticker.device.write(ticker.device.self, {.force_n = kForce, .max_force_n = 3});
+      ticker.device.write(ticker.device.self, {.force_n = push, .max_force_n = 3});
       EXPECT_FALSE(ticker.answered);
       const double felt = size(bench->felt());
       EXPECT_LE(felt, last);
@@ -260,7 +273,7 @@ TEST_P(DeviceContract, TroubleIsLatched) {
     }
   }
   Ticker again(bench->uri());
-  EXPECT_TRUE(again.tick_until(kForce, [&] { return size(bench->felt()) > 1; }));
+  EXPECT_TRUE(again.tick_until(push, [&] { return size(bench->felt()) > 1; }));
   EXPECT_EQ(again.device.trouble(again.device.self), "");
 }
 
@@ -268,28 +281,28 @@ TEST_P(DeviceContract, TroubleIsLatched) {
 TEST_P(DeviceContract, ComesBackAndWaitsToBeAcknowledged) {
   if (!bench->fails) GTEST_SKIP() << "what says nothing is at rest";
   Ticker ticker(open_lasting_device(bench->uri()), 15e-3F);
-  const auto feels = [&] { return !bench->feels || size(bench->felt()) > 1; };
-  ASSERT_TRUE(ticker.tick_until(kForce, feels));
+  const auto feels = [&] { return !bench->feels.any() || size(bench->felt()) > 1; };
+  ASSERT_TRUE(ticker.tick_until(push, feels));
   bench->trouble(test::Trouble::kNoAnswer);
-  for (int i = 0; i < 500 && ticker.state.mode != GuardMode::kFault; ++i) ticker.tick(kForce);
+  for (int i = 0; i < 500 && ticker.state.mode != GuardMode::kFault; ++i) ticker.tick(push);
   ASSERT_EQ(ticker.state.mode, GuardMode::kFault);
-  for (int i = 0; i < 300; ++i) ticker.tick(kForce);
+  for (int i = 0; i < 300; ++i) ticker.tick(push);
   bench->trouble(test::Trouble::kNone);
   const std::uint64_t before = ticker.state.seq;
   bool back = false;
   for (int i = 0; i < 5000 && !back; ++i) {
-    ticker.tick(kForce);
+    ticker.tick(push);
     back = ticker.usable;
     ASSERT_EQ(size(bench->felt()), 0);
   }
   ASSERT_TRUE(back) << trouble_of(ticker.device);
   EXPECT_GT(ticker.state.seq, before);
   for (int i = 0; i < 50; ++i) {
-    ticker.tick(kForce);
+    ticker.tick(push);
     ASSERT_EQ(size(bench->felt()), 0);
   }
   EXPECT_EQ(trouble_of(ticker.device), "");
-  EXPECT_TRUE(ticker.tick_until(kForce, feels));
+  EXPECT_TRUE(ticker.tick_until(push, feels));
 }
 
 #ifndef STYLET_SANITIZED
@@ -299,7 +312,7 @@ TEST_P(DeviceContract, TickTakesNoMemoryAndNoLock) {
   test::arm_allocation_trap();
   g_locks = 0;
   g_counts_locks = true;
-  for (int i = 0; i < 200; ++i) ticker.tick(kForce);
+  for (int i = 0; i < 200; ++i) ticker.tick(push);
   g_counts_locks = false;
   EXPECT_EQ(test::disarm_allocation_trap(), 0U);
   EXPECT_EQ(g_locks, 0);
@@ -337,6 +350,20 @@ TEST(DeviceContractBackends, AreThoseOfAllDrivers) {
   EXPECT_EQ(here, all);
 }
 INSTANTIATE_TEST_SUITE_P(All, DeviceContract, testing::ValuesIn(kBackends),
+                         [](const auto& each) { return each.param.name; });
+
+// One motor is enough for every check of force.
+constexpr Backend kOneAxis = {"one_axis", one_axis_bench};
+TEST(DeviceContractBackends, ADeviceWithOneMotorIsPushedAlongIt) {
+  const std::unique_ptr<Bench> bench = one_axis_bench();
+  EXPECT_TRUE(bench->feels.any() && bench->places.any() && bench->latches && bench->fails)
+      << "no check of force leaves it out";
+  const Vec3 push = push_on(*bench);
+  EXPECT_EQ(push.x, 0);
+  EXPECT_EQ(push.y, 0);
+  EXPECT_NEAR(size(push), size(kForce), 1e-6);
+}
+INSTANTIATE_TEST_SUITE_P(More, DeviceContract, testing::Values(kOneAxis),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace

@@ -6,14 +6,14 @@
 #include <cstdint>
 
 #include "hal/guard/guard.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 
 constexpr std::uint32_t kButton = 3, kAcknowledgeButton = 5;
 
-inline double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
+using test::minus;
+using test::size;
 
 // With a dead man's button, and a slew limit that lets 2 N through in a tick.
 inline GuardConfig with_button() {

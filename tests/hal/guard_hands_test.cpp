@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 
+#include "draw.h"
 #include "guard_desk.h"
 
 namespace stylet::hal {
@@ -16,21 +16,13 @@ namespace {
 constexpr double kPi = 3.14159265358979324;
 constexpr std::int64_t kMs = 1'000'000;
 
-struct Draw {
-  std::mt19937_64 engine;
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
-  }
-  bool chance(double share) { return between(0, 1) < share; }
-};
-
 // A tremor during a stroke there and back. A tremor of 8 Hz and 20 mm reaches 1 m/s, and so does
 // the stroke, which is a motion of least jerk (Flash and Hogan 1985).
 struct RealHand {
   double tremor_hz, tremor_m[3], phase[3];
   double way_m[3], takes_s, rests_s;
 
-  explicit RealHand(Draw& draw) {
+  explicit RealHand(test::DoubleDraw& draw) {
     const bool trembles = draw.chance(0.5);
     tremor_hz = draw.between(1, 8);
     const double speed = draw.between(0.2, 1);
@@ -65,7 +57,7 @@ struct RealHand {
 struct Told {
   double period_ms, jitter_ms, lost, step_m, noise_m, late_tick;
 
-  explicit Told(Draw& draw) {
+  explicit Told(test::DoubleDraw& draw) {
     period_ms = draw.chance(0.5) ? 1 : draw.between(0.5, 2.2);
     jitter_ms = draw.chance(0.5) ? draw.between(0, 0.8) : 0;
     lost = draw.chance(0.3) ? draw.between(0, 0.1) : 0;
@@ -76,7 +68,7 @@ struct Told {
 };
 
 TEST(GuardHands, RealHandsNeverCauseAFault) {
-  Draw draw{std::mt19937_64(21)};
+  test::DoubleDraw draw(21);
   double fastest = 0;
   std::uint64_t used = 0;
   for (int session = 0; session < 1500; ++session) {
@@ -119,14 +111,14 @@ TEST(GuardHands, RealHandsNeverCauseAFault) {
 // Steps within the jump limit that turn back before they have gone far: no hand is that fast,
 // although the averaged velocity is small.
 TEST(GuardHands, SamplesToAndFroWithinTheJumpLimitAreAFault) {
-  Draw draw{std::mt19937_64(22)};
+  test::DoubleDraw draw(22);
   int slowest = 0;
   for (int session = 0; session < 2000; ++session) {
     GuardState state = guard_start();
     GuardConfig config;
     config.watchdog_s = 0.015F;
     const double speed = draw.between(2.4, 6.9);  // m/s is mm a tick; the jump limit is 7 mm
-    const int steps = 1 + static_cast<int>(draw.engine() % 4);
+    const int steps = 1 + static_cast<int>(draw.bits() % 4);
     const double angle = draw.between(0, kPi), repeats = draw.chance(0.5) ? 0 : 0.3;
     Sample sample = {0, 0, {{}, {1, 0, 0, 0}}, 0};
     double at_mm = 0;
@@ -159,7 +151,7 @@ TEST(GuardHands, SamplesToAndFroWithinTheJumpLimitAreAFault) {
 
 // A single wrong sample within the limit causes none of these faults.
 TEST(GuardHands, OneSampleAstrayIsForgiven) {
-  Draw draw{std::mt19937_64(23)};
+  test::DoubleDraw draw(23);
   for (int session = 0; session < 500; ++session) {
     GuardState state = guard_start();
     const double speed = draw.between(0, 1);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "guard_desk.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 namespace {
@@ -18,13 +19,11 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr Quat kUpright = {1, 0, 0, 0};
 constexpr std::int64_t kMs = 1'000'000;
 
+using test::minus;
+
 // No ramp, so that a force comes through as it is.
 GuardConfig plain() {
   return {1e-3F, 8, 2000, 0, 3e-3F};
-}
-
-Vec3 minus(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 Sample sample(std::uint64_t seq, std::int64_t t_ns = 0) {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <random>
 
+#include "draw.h"
 #include "guard_desk.h"
 
 namespace stylet::hal {
@@ -18,13 +18,10 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr double kRounding = 3e-5;
 
-struct Draw {
-  std::mt19937_64 engine;
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
-  }
+struct Draw : test::DoubleDraw {
+  using DoubleDraw::DoubleDraw;
   std::int64_t below(std::int64_t most) {
-    return static_cast<std::int64_t>(engine() % static_cast<std::uint64_t>(most));
+    return static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(most));
   }
 };
 
@@ -66,7 +63,7 @@ double slew_of(const Hand& hand) {
 
 // R3, R5 and R6 in real time, for a caller that ticks up to a hundred times too fast.
 TEST(GuardTime, ACallerThatIsTooFastGainsNothing) {
-  Draw draw{std::mt19937_64(1)};
+  Draw draw(1);
   for (int session = 0; session < 200; ++session) {
     Hand hand = drawn_hand(draw);
     const double most_n = static_cast<double>(hand.config.max_force_n);
@@ -102,7 +99,7 @@ TEST(GuardTime, ACallerThatIsTooFastGainsNothing) {
 // While no time passes nothing is new: after the watchdog's number of periods there is a fault, and
 // the force falls.
 TEST(GuardTime, WhileTheClockStandsNoForceGrowsAndSoonThereIsAFault) {
-  Draw draw{std::mt19937_64(2)};
+  Draw draw(2);
   for (int session = 0; session < 200; ++session) {
     Hand hand = drawn_hand(draw);
     for (std::int64_t i = 50 + draw.below(300); i > 0; --i) (void)hand.tick(kMs);
@@ -125,7 +122,7 @@ TEST(GuardTime, WhileTheClockStandsNoForceGrowsAndSoonThereIsAFault) {
 
 // A second tick at the same time, as on a clock of milliseconds, does not count.
 TEST(GuardTime, AClockOfCoarseStepsCausesNoFault) {
-  Draw draw{std::mt19937_64(3)};
+  Draw draw(3);
   for (int session = 0; session < 50; ++session) {
     Hand hand = drawn_hand(draw);
     std::int64_t real_ns = hand.now_ns, next_ns = real_ns;
@@ -140,7 +137,7 @@ TEST(GuardTime, AClockOfCoarseStepsCausesNoFault) {
 }
 
 TEST(GuardTime, AClockThatRunsBackwardsIsAFaultAtOnce) {
-  Draw draw{std::mt19937_64(4)};
+  Draw draw(4);
   for (int session = 0; session < 200; ++session) {
     Hand hand = drawn_hand(draw);
     for (std::int64_t i = 50 + draw.below(300); i > 0; --i) (void)hand.tick(kMs);
@@ -244,7 +241,7 @@ TEST(GuardTime, TimeLostAfterASkipCounts) {
 
 // R3 and R6 for fades with late ticks. (The last step was once 0.36 N of 8 too large.)
 TEST(GuardTime, AFadeWithLateTicksKeepsTheSlewLimit) {
-  Draw draw{std::mt19937_64(5)};
+  Draw draw(5);
   int late_ends = 0;
   for (int session = 0; session < 5000; ++session) {
     Hand hand = drawn_hand(draw);

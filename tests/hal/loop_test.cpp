@@ -17,6 +17,7 @@
 #include "hal/record/replay.h"
 #include "hal/record/replay_device.h"
 #include "rig.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 namespace {
@@ -24,12 +25,8 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
-Vec3 minus(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
+using test::minus;
+using test::size;
 
 // Stands between the loop and a good device, and spoils the samples that pass.
 struct Spoiler {

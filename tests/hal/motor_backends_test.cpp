@@ -88,7 +88,7 @@ struct Session {
   std::int64_t service_until_ns = 0;
   double hand_hz = 1, hand_m = 0.008, middle_m = 0.004;
 
-  Session(std::uint64_t seed, const Backend& of) : draw{std::mt19937_64(seed)}, backend(of) {
+  Session(std::uint64_t seed, const Backend& of) : draw(seed), backend(of) {
     loop = Stalls::drawn(draw);
     driver = Stalls::drawn(draw);
     service = Stalls::drawn(draw);
@@ -101,7 +101,7 @@ struct Session {
   Weather weather(const Link& link) {
     Weather out;
     out.inner = link;
-    out.draw.engine.seed(draw.engine());
+    out.draw = Draw(draw.bits());
     out.loss = draw.chance(0.5) ? 0 : draw.between(0, 0.1);
     out.delay_ns = draw.ms(0, 2);
     out.jitter_ns = draw.ms(0, 2);

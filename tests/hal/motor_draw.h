@@ -5,31 +5,24 @@
 
 #include <cmath>
 #include <cstdint>
-#include <random>
 
 #include "draw.h"
 #include "stylet/units.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-inline double size_of(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
+using test::number_from;
+using test::size;
 
-// The distributions of the standard library differ from library to library.
-struct Draw {
-  std::mt19937_64 engine;
-  double part() { return static_cast<double>(engine() >> 11U) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * part(); }
-  bool chance(double share) { return part() < share; }
+struct Draw : test::DoubleDraw {
+  using DoubleDraw::DoubleDraw;
   std::int64_t ms(double low, double high) {
     return static_cast<std::int64_t>(between(low, high) * 1e6);
   }
 };
-
-using test::number_from;
 
 // Something that does nothing until a given time: at random, or periodically.
 struct Stalls {
@@ -42,7 +35,7 @@ struct Stalls {
     Stalls out;
     if (draw.chance(0.3)) return out;
     // Short and long stalls alike: 0.5 to 300 ms, evenly over the logarithm.
-    out.longest_ns = static_cast<std::int64_t>(0.5e6 * std::pow(600.0, draw.part()));
+    out.longest_ns = static_cast<std::int64_t>(0.5e6 * std::pow(600.0, draw.unit()));
     if (draw.chance(0.3)) {
       out.every_ns = out.longest_ns + draw.ms(0.5, 40);
     } else {
@@ -57,7 +50,7 @@ struct Stalls {
     next_ns = now_ns + every_ns;
     until_ns =
         now_ns + (due ? longest_ns
-                      : static_cast<std::int64_t>(draw.part() * static_cast<double>(longest_ns)));
+                      : static_cast<std::int64_t>(draw.unit() * static_cast<double>(longest_ns)));
     return until_ns > now_ns;
   }
 };

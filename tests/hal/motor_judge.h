@@ -51,7 +51,7 @@ struct Judge {
 
   void fail(const std::string& why) {
     if (!broken.empty()) return;
-    broken = why + " (" + std::to_string(size_of(last_n)) + " N, loop " +
+    broken = why + " (" + std::to_string(size(last_n)) + " N, loop " +
              std::to_string(ms(now_ns() - loop_ns)) + " ms ago, fault " +
              std::to_string(fault_ns == 0 ? -1 : ms(now_ns() - fault_ns)) + ", written " +
              std::to_string(ms(now_ns() - written_ns)) + ")";
@@ -74,25 +74,25 @@ struct Judge {
     const Vec3 force = felt();
     const std::int64_t now = now_ns();
     const bool wrote = writes() != last_writes;
-    const double size = size_of(force), passed_ms = written_ns == 0 ? 0 : ms(now - written_ns);
-    const double change = size_of({force.x - last_n.x, force.y - last_n.y, force.z - last_n.z});
-    strongest_n = std::max(strongest_n, size);
-    if (!std::isfinite(size)) fail("not finite");
-    if (size > most_n * (1 + 1e-4)) fail("over the limit: " + std::to_string(size) + " N");
+    const double size_n = size(force), passed_ms = written_ns == 0 ? 0 : ms(now - written_ns);
+    const double change = size({force.x - last_n.x, force.y - last_n.y, force.z - last_n.z});
+    strongest_n = std::max(strongest_n, size_n);
+    if (!std::isfinite(size_n)) fail("not finite");
+    if (size_n > most_n * (1 + 1e-4)) fail("over the limit: " + std::to_string(size_n) + " N");
     // The vendor's own cut: its device is in trouble, or its writer was held up.
-    const bool dropped = drops && !wrote && size == 0 && change > 0;
-    const bool cut = dropped || (size == 0 && (now < trouble_ns || passed_ms > 9.9));
+    const bool dropped = drops && !wrote && size_n == 0 && change > 0;
+    const bool cut = dropped || (size_n == 0 && (now < trouble_ns || passed_ms > 9.9));
     const double most = slew_n_per_s * 1e-3 * (passed_ms + way_ms) * (1 + 1e-4) + 1e-5;
     if (change > 1e-6 && !cut && !(wrote && (written_ns == 0 || change <= most))) {
       fail("a step of " + std::to_string(change) + " N");
     }
     if (dropped) over = true;
-    judge_end(size, now);
+    judge_end(size_n, now);
     const double age_ms = std::max(ms(now - loop_ns), passed_ms);
     const bool late =
         orders_expire && wrote && loop_ns != 0 && age_ms > 10 + (writes_hang ? kSlackMs : 0);
     if (late && !writes_hang) expired = true;
-    if (expired && size > size_of(last_n) * (1 + 1e-5) + 1e-6) fail("force after orders expired");
+    if (expired && size_n > size(last_n) * (1 + 1e-5) + 1e-6) fail("force after orders expired");
     if (late) expired = true;
     if (wrote || change > 0) {
       before_ns = written_ns;
@@ -103,7 +103,7 @@ struct Judge {
   }
 
   // The force is zero in time, and then stays so until somebody has acknowledged.
-  void judge_end(double size, std::int64_t now) {
+  void judge_end(double size_n, std::int64_t now) {
     const std::int64_t stopped_ns = loop_ns + static_cast<std::int64_t>(kZeroMs * 1e6);
     std::int64_t end_ns = std::numeric_limits<std::int64_t>::max();
     if (loop_ns != 0) end_ns = stopped_ns;
@@ -116,13 +116,13 @@ struct Judge {
     const bool landed = writes_hang && ms(now - written_ns) <= kSlackMs;
     const bool held = held_since(written_ns, now) || (landed && held_since(before_ns, written_ns));
     if (late_ms > kSlackMs + held_ms && !held) {
-      if (size > 0) fail("force 25 ms after a fault");
+      if (size_n > 0) fail("force 25 ms after a fault");
       over = true;
     }
-    if (over && size > 0 && !held) fail("force before somebody acknowledged");
+    if (over && size_n > 0 && !held) fail("force before somebody acknowledged");
     const bool under_way = writes_hang && written_ns < fault_ns;
     const bool falls = fault_ns != 0 && ms(now - fault_ns) > lag_ms && !under_way;
-    if (falls && !over && size > size_of(last_n) * (1 + 1e-5) + 1e-6) {
+    if (falls && !over && size_n > size(last_n) * (1 + 1e-5) + 1e-6) {
       fail("force grows after a fault");
     }
   }

@@ -88,7 +88,7 @@ struct OneHand {
     const std::int64_t now_ns = test::virtual_now_ns();
     while (asked.size() > 1 && now_ns - asked.front().t_ns > kAskedNs) asked.pop_front();
     const Vec3 felt = bench->felt();
-    forced = forced || size_of(felt) > 0;
+    forced = forced || size(felt) > 0;
     for (float Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
       float least = 0, most = 0;
       for (const Asked& each : asked) {
@@ -115,7 +115,7 @@ struct Session {
   Pair pair;
   bool calm = false;
 
-  Session(std::uint64_t seed, Pair of) : draw{std::mt19937_64(seed)}, pair(of) {
+  Session(std::uint64_t seed, Pair of) : draw(seed), pair(of) {
     loop = Stalls::drawn(draw);
     trouble = draw.chance(0.5) ? 0 : draw.between(0, 0.002);
     rig.scene.config.needle_count = kHands;

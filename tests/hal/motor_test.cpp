@@ -51,7 +51,7 @@ struct Session {
   bool felt = false;                           // there ever was a force
   std::string broken;
 
-  explicit Session(std::uint64_t seed) : draw{std::mt19937_64(seed)} {
+  explicit Session(std::uint64_t seed) : draw(seed) {
     guard.max_force_n = static_cast<float>(draw.between(0.5, 30));
     const double least = static_cast<double>(guard.max_force_n) / 0.020;
     guard.max_slew_n_per_s = static_cast<float>(least * draw.between(1, 8));
@@ -318,7 +318,7 @@ TEST(Motor, FollowsTheOrderWithinItsLimits) {
 // Calls of equal length, some of them held up; the motors get their force at the end of each call.
 TEST(Motor, ACallThatIsHeldUpIsNotFollowedByAStep) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    Draw draw{std::mt19937_64(seed)};
+    Draw draw(seed);
     Desk desk;
     const std::int64_t call_ns = draw.ms(0, 0.9);
     std::int64_t had_ns = desk.now_ns;

@@ -128,10 +128,9 @@ struct Judge {
     const std::int64_t before_ns = monotonic_now_ns();
     const int writes = bench.writes();
     const Vec3 force = bench.felt();
-    if (bench.writes() != writes || size_of(minus(force, bench.felt())) > 0)
-      return;  // half written
+    if (bench.writes() != writes || size(minus(force, bench.felt())) > 0) return;  // half written
     const std::int64_t fault = fault_ns.load(), ordered = ordered_ns.load();
-    const double size = size_of(force), change = size_of(minus(force, last_n));
+    const double size = size(force), change = size(minus(force, last_n));
     strongest_n = std::max(strongest_n, size);
     if (size > 0) forced = true;
     if (!std::isfinite(size)) fail(before_ns, "not finite");
@@ -189,9 +188,7 @@ struct Session {
   bool armed_anew = false;  // armed again, but no order has come yet
 
   Session(std::uint64_t seed, Kind kind)
-      : draw{std::mt19937_64(seed)},
-        bench(kind == Kind::kHd ? hd_bench() : dhd_bench()),
-        judge(*bench) {
+      : draw(seed), bench(kind == Kind::kHd ? hd_bench() : dhd_bench()), judge(*bench) {
     loop = Stalls::drawn(draw);
     driver = Stalls::drawn(draw);
     trouble = draw.chance(0.5) ? 0 : draw.between(0, 0.002);

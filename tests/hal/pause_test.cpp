@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rig.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 namespace {
@@ -57,9 +58,7 @@ std::vector<TickRecord> run(Rig& rig, const Device& device, std::uint64_t from, 
   return all;
 }
 
-float size(Vec3 v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
+using test::size;
 
 TEST(Pause, AScriptGoesOnAsIfThereHadBeenNoPause) {
   Rig plain, held;

@@ -26,7 +26,7 @@ namespace stylet::hal {
 // A network that loses, delays and reorders packets, and stands still at times.
 struct Weather {
   Link inner;
-  Draw draw;
+  Draw draw{0};
   double loss = 0;
   std::int64_t delay_ns = 0, jitter_ns = 0;
   Stalls stalls;
@@ -37,7 +37,7 @@ struct Weather {
     const std::int64_t now_ns = monotonic_now_ns();
     const std::int64_t from_ns = stalls.busy(draw, now_ns) ? stalls.until_ns : now_ns;
     return from_ns + delay_ns +
-           static_cast<std::int64_t>(draw.part() * static_cast<double>(jitter_ns));
+           static_cast<std::int64_t>(draw.unit() * static_cast<double>(jitter_ns));
   }
   void put(std::vector<Packet>& way, std::span<const std::byte> bytes) {
     if (!draw.chance(loss)) way.push_back({due(), {bytes.begin(), bytes.end()}});
@@ -152,13 +152,13 @@ class PeerHand {
     }
     const float share = obeyed_share(obeyed_, now_ns);
     const Vec3 whole = force_at(obeyed_.newest.model, pose.position_m);
-    const double size = size_of(whole);
+    const double size_n = size(whole);
     const float scale =
-        size > static_cast<double>(kMostN) ? share * kMostN / static_cast<float>(size) : share;
+        size_n > static_cast<double>(kMostN) ? share * kMostN / static_cast<float>(size_n) : share;
     const Vec3 goal = {scale * whole.x, scale * whole.y, scale * whole.z};
     const Vec3 way = {goal.x - force_n.x, goal.y - force_n.y, goal.z - force_n.z};
     const double most = static_cast<double>(kSlewNPerS) * 1e-9 * static_cast<double>(passed_ns);
-    const auto part = static_cast<float>(size_of(way) > most ? most / size_of(way) : 1.0);
+    const auto part = static_cast<float>(size(way) > most ? most / size(way) : 1.0);
     force_n = {force_n.x + part * way.x, force_n.y + part * way.y, force_n.z + part * way.z};
   }
 

@@ -12,7 +12,8 @@ namespace {
 class Page : public Bench {
  public:
   Page() {
-    places = feels = fails = false;  // it measures the way since the first post
+    places = feels = kNoAxis;  // it measures the way since the first post
+    fails = false;
     pointer_serve(true);
     thread_ = std::thread([this] { post(); });
   }

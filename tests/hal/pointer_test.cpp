@@ -14,6 +14,7 @@
 
 #include "hal/device/devices.h"
 #include "hal/guard/guard.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 namespace {
@@ -23,12 +24,8 @@ constexpr Quat kUpright = {1, 0, 0, 0};
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
-Vec3 minus(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
+using test::minus;
+using test::size;
 Pose inward(double mm) {
   return {{0, 0, static_cast<float>(-mm * 1e-3)}, kUpright};
 }

@@ -12,13 +12,12 @@
 
 #include "hal/loop/fit.h"
 #include "rig.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 namespace {
 
-double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
+using test::size;
 
 // A simulated device of this model in a light grip, in front of bone of 20 N/mm.
 struct Bench {

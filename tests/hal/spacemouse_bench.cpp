@@ -88,7 +88,8 @@ void Spacenavd::serve() {
 
 std::unique_ptr<Bench> spacemouse_bench() {
   auto bench = std::make_unique<Spacenavd>();
-  bench->places = bench->feels = bench->turns = false;
+  bench->places = bench->feels = kNoAxis;
+  bench->turns = false;
   return bench;
 }
 

@@ -14,8 +14,24 @@ std::unique_ptr<Bench> dhd(const char* uri, int unit) {
       "STYLET_LIBDHD", other != nullptr ? other : STYLET_STANDIN_DHD_NOW, uri, kUserFirst, unit);
 }
 
+// Of the whole arm it uses the motor and the encoder of one axis.
+class OneAxis : public VendorBench {
+ public:
+  OneAxis() : VendorBench("STYLET_LIBHD", STYLET_STANDIN_HD, "hd:", kOurs, 0) {
+    places = feels = {false, false, true};
+    turns = false;
+  }
+  void move(const Pose& pose) override {
+    VendorBench::move({places.of(pose.position_m), {1, 0, 0, 0}});
+  }
+  Vec3 felt() override { return feels.of(VendorBench::felt()); }
+};
+
 }  // namespace
 
+std::unique_ptr<Bench> one_axis_bench() {
+  return std::make_unique<OneAxis>();
+}
 std::unique_ptr<Bench> hd_bench() {
   return hd("hd:", 0);
 }

@@ -12,15 +12,14 @@
 #include <limits>
 
 #include "rig.h"
+#include "vectors.h"
 
 namespace stylet::hal {
 namespace {
 
 constexpr double kZeroForceS = 25e-3;
 
-double size(Vec3 v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
+using test::size;
 
 // What the loop sees from the tick of the fault onwards. `good` is the sample that the device would
 // have given.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random numbers from a seed, for random scenes and sessions.
 //
-// Promise: the same numbers with every standard library. Units: those of the bounds.
+// Promise: the same numbers with every standard library, whose distributions differ. Units: those
+// of the bounds.
 #pragma once
 
 #include <cmath>
@@ -11,22 +12,27 @@
 
 namespace stylet::test {
 
-class Draw {
+// Its numbers are drawn in double and given as `Real`.
+template <typename Real>
+class DrawOf {
  public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
+  explicit DrawOf(std::uint64_t seed) : engine_(seed) {}
 
-  double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
-  float between(double low, double high) { return static_cast<float>(low + (high - low) * unit()); }
+  double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
+  Real between(double low, double high) { return static_cast<Real>(low + (high - low) * unit()); }
   // Each factor of ten is equally likely.
-  float magnitude(double low, double high) {
-    return static_cast<float>(low * std::pow(high / low, unit()));
+  Real magnitude(double low, double high) {
+    return static_cast<Real>(low * std::pow(high / low, unit()));
   }
-  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(engine_() % count); }
+  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(bits() % count); }
   bool chance(double share) { return unit() < share; }
+  std::uint64_t bits() { return engine_(); }
 
  private:
   std::mt19937_64 engine_;
 };
+using Draw = DrawOf<float>;
+using DoubleDraw = DrawOf<double>;
 
 // A number from the environment, such as a seed.
 inline int number_from(const char* variable, int otherwise) {

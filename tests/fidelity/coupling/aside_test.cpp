@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <random>
 
 #include "coupling/bend.h"
+#include "draw.h"
 #include "rig.h"
 
 namespace stylet::test {
@@ -27,13 +27,6 @@ Rig block() {
   config.surround_drag_per_s = 20;
   return make_rig(tiny, config, Tissue::kFixed);
 }
-
-struct Draw {
-  std::mt19937_64 engine;
-  float between(double low, double high) {
-    return static_cast<float>(low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53);
-  }
-};
 
 // A needle pressed `depth_m` into the face; then a bend moves the tip by `moved_m`.
 struct Thrown {
@@ -66,7 +59,7 @@ float bound_of(float depth_m) {
 }
 
 TEST(Aside, ABendAlongTheNeedleGoesOnPressing) {
-  Draw draw = {std::mt19937_64(11)};
+  Draw draw(11);
   for (int i = 0; i < 16; ++i) {
     const float depth_m = draw.between(0.5e-3, 3e-3), bound_m = bound_of(depth_m);
     const float along_m = bound_m * draw.between(2, 8), aside_m = bound_m * draw.between(0, 0.9);
@@ -78,7 +71,7 @@ TEST(Aside, ABendAlongTheNeedleGoesOnPressing) {
 }
 
 TEST(Aside, AThrownTipHoldsWhatItComesToWithoutForce) {
-  Draw draw = {std::mt19937_64(12)};
+  Draw draw(12);
   for (int i = 0; i < 16; ++i) {
     const float depth_m = draw.between(0.5e-3, 3e-3);
     const float aside_m = depth_m + kEdgeM * draw.between(0.5, 3);
@@ -100,11 +93,11 @@ TEST(Aside, AThrownTipHoldsWhatItComesToWithoutForce) {
 }
 
 TEST(Aside, AThrowOutOfTheTissueEndsTheContact) {
-  Draw draw = {std::mt19937_64(13)};
+  Draw draw(13);
   for (int i = 0; i < 16; ++i) {
     const float depth_m = draw.between(0.5e-3, 3e-3);
     const float away_m = kMiddleM + kEdgeM * draw.between(2, 20);
-    const bool up = (draw.engine() & 1U) != 0;
+    const bool up = (draw.bits() & 1U) != 0;
     const Thrown thrown(depth_m, {0, up ? away_m : 0, up ? 0 : -away_m});
     EXPECT_EQ(thrown.phase(), Phase::kFree) << away_m << " m away";
     EXPECT_EQ(thrown.rig.view().state.needle->tip_alive, 0U);

@@ -14,10 +14,10 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "draw.h"
 #include "laws/stiff_tip.h"
 #include "rig.h"
 
@@ -84,16 +84,9 @@ double force_at_rest(Rig& rig, Vec3 start_m, double depth_m) {
   return -static_cast<double>(hold(rig, {depth, start_m.y, start_m.z}, 600).force_n.x);
 }
 
-struct Draw {
-  std::mt19937_64 engine;
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
-  }
-};
-
 TEST(Contact, IsSneddonsConeForAnyNeedleTissueAndVoxel) {
   constexpr std::uint16_t kVoxels = 24;
-  Draw draw = {std::mt19937_64(1)};
+  DoubleDraw draw(1);
   for (int i = 0; i < 32; ++i) {
     Press p = {draw.between(0.2e-3, 1.5e-3), draw.between(8, 40) * kPi / 180,
                draw.between(2.5e-3, 10e-3), draw.between(0.3, 0.48), draw.between(1e-3, 10e-3)};
@@ -185,10 +178,10 @@ TEST(Contact, StiffTipIsThatOfFiniteElements) {
 TEST(Contact, TissueThatStiffensIsFeltAtTheTipWhateverTheVoxel) {
   constexpr std::uint16_t kVoxels = 24;
   const std::vector<StiffTip> rows = stiff_tips();
-  Draw draw = {std::mt19937_64(2)};
+  DoubleDraw draw(2);
   int seen = 0;
   for (int i = 0; i < 100; ++i) {
-    const StiffTip& row = rows[draw.engine() % rows.size()];
+    const StiffTip& row = rows[draw.bits() % rows.size()];
     Press p = {draw.between(0.2e-3, 1.5e-3), draw.between(8, 40) * kPi / 180,
                draw.between(2.5e-3, 7e-3), row.poisson, 0};
     p.place = {0, static_cast<float>(draw.between(0, 0.5)),
@@ -217,7 +210,7 @@ TEST(Contact, TissueThatStiffensIsFeltAtTheTipWhateverTheVoxel) {
 // have carried the force of puncture at a smaller depth the skin was forgotten.)
 TEST(Contact, StiffeningMoreIsNeverSofterUnderAThinSkin) {
   constexpr std::uint16_t kVoxels = 16;
-  Draw draw = {std::mt19937_64(8)};
+  DoubleDraw draw(8);
   for (int i = 0; i < 4; ++i) {
     Press p = {draw.between(0.4e-3, 0.8e-3), 15 * kPi / 180, 5e-3, 0.45, draw.between(1e-3, 3e-3)};
     p.youngs_pa = 23200;
@@ -259,7 +252,7 @@ TEST(Contact, ATipInASkinIsHeldAsIfNothingStiffened) {
 // softer than the film (PHYSICS 18.4).
 TEST(Contact, ThinSkinIsPuncturedAtTheDepthOfAFilmWhateverTheVoxelItIsSpreadOver) {
   constexpr std::uint16_t kVoxels = 24;
-  Draw draw = {std::mt19937_64(3)};
+  DoubleDraw draw(3);
   int seen = 0;
   for (int i = 0; i < 64; ++i) {
     Press p = {draw.between(0.2e-3, 1.5e-3), draw.between(8, 40) * kPi / 180,
@@ -315,7 +308,7 @@ Range followed_film(const Press& p, std::uint16_t voxels) {
 
 TEST(Contact, ThinSkinIsAFilmOnTheWayToItsPuncture) {
   constexpr std::uint16_t kVoxels = 24;
-  Draw draw = {std::mt19937_64(6)};
+  DoubleDraw draw(6);
   int seen = 0;
   for (int i = 0; i < 48; ++i) {
     Press p = {draw.between(0.2e-3, 1.5e-3), draw.between(8, 40) * kPi / 180,
@@ -338,7 +331,7 @@ TEST(Contact, ThinSkinIsAFilmOnTheWayToItsPuncture) {
 
 // The usual needle on a liver's capsule, wherever it is in the voxels.
 TEST(Contact, LiversCapsuleIsAFilmWhateverTheVoxel) {
-  Draw draw = {std::mt19937_64(7)};
+  DoubleDraw draw(7);
   for (const double edge_m : {7e-3, 5e-3, 3.3e-3, 2.5e-3}) {
     for (const double depth_m : {3e-3, 5e-3}) {
       Press p = {0.635e-3, 15 * kPi / 180, edge_m, 0.45, depth_m, 23200};
@@ -357,7 +350,7 @@ TEST(Contact, LiversCapsuleIsAFilmWhateverTheVoxel) {
 // A layer of 10 mm over tissue that is softer or stiffer, from one voxel thick to four: the tissue
 // below adds its own compliance.
 TEST(Contact, ALayerIsFeltAlikeWhateverTheVoxel) {
-  Draw draw = {std::mt19937_64(5)};
+  DoubleDraw draw(5);
   for (int i = 0; i < 12; ++i) {
     const double upper = std::exp(draw.between(std::log(0.1), std::log(10)));
     const Vec3 place = {0, static_cast<float>(draw.between(0, 0.5)),
@@ -461,7 +454,7 @@ TEST(Contact, LatticeGivesWayAsTheFormulaSays) {
 // And how far it gives way under a layer of voxels that is stiffer or softer (kPlaceMean and the
 // constants after it); the sums of squares and places are those of a single tissue.
 TEST(Contact, LatticeGivesWayBelowAnotherLayerAsTheFormulaSays) {
-  Draw draw = {std::mt19937_64(4)};
+  DoubleDraw draw(4);
   for (int i = 0; i < 24; ++i) {
     const double poisson = draw.between(0.3, 0.48);
     const double upper = std::exp(draw.between(std::log(0.1), std::log(50)));

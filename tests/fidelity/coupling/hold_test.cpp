@@ -17,21 +17,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <vector>
 
+#include "draw.h"
 #include "rig.h"
 
 namespace stylet::test {
 namespace {
-
-struct Draw {
-  std::mt19937_64 engine;
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
-  }
-  double spread(double low, double high) { return low * std::pow(high / low, between(0, 1)); }
-};
 
 double along(Vec3 a, Vec3 b) {
   return static_cast<double>(dot(a, b));
@@ -53,16 +45,16 @@ struct Scene {
   Vec3 start_m, direction, across;
 };
 
-Scene drawn_scene(Draw& draw) {
+Scene drawn_scene(DoubleDraw& draw) {
   Scene s = {};
-  s.youngs_pa = draw.spread(5e3, 60e3);
+  s.youngs_pa = draw.magnitude(5e3, 60e3);
   s.poisson = draw.between(0.3, 0.49);
   s.edge_m = draw.between(2.5e-3, 7e-3);
   s.fraction = draw.between(0.1, 0.7);
-  s.time_s = draw.spread(0.2, 3);
-  s.in_m_per_s = draw.spread(2e-3, 0.1);
-  s.across_m_per_s = draw.spread(2e-3, 0.1);
-  s.radius_m = draw.spread(0.3e-3, 1.2e-3);
+  s.time_s = draw.magnitude(0.2, 3);
+  s.in_m_per_s = draw.magnitude(2e-3, 0.1);
+  s.across_m_per_s = draw.magnitude(2e-3, 0.1);
+  s.radius_m = draw.magnitude(0.3e-3, 1.2e-3);
   s.across_m = draw.between(0.5e-3, 2e-3);
   s.pressed_m = draw.between(2e-3, 6e-3);
   s.dragged_m = draw.between(0.2e-3, 0.9e-3);
@@ -202,7 +194,7 @@ Held hold(const Scene& s, bool layered) {
 }
 
 std::vector<Held> drawn_holds(std::uint64_t seed, int count, bool layered) {
-  Draw draw = {std::mt19937_64(seed)};
+  DoubleDraw draw(seed);
   std::vector<Held> all;
   for (int i = 0; i < count; ++i) all.push_back(hold(drawn_scene(draw), layered));
   return all;

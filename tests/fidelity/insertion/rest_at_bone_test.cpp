@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <random>
 #include <string>
 
+#include "draw.h"
 #include "needle/obstacle.h"
 #include "rig.h"
 
@@ -37,14 +37,6 @@ double euler_load_n(const Gauge& gauge) {
   const double length = static_cast<double>(NeedleConfig{}.length_m);
   return 20.19 * gauge.bending_nm2 / (length * length);
 }
-
-struct Draw {
-  std::mt19937_64 engine;
-  double between(double a, double b) {
-    return a + (b - a) * static_cast<double>(engine() >> 11U) * 0x1p-53;
-  }
-  double magnitude(double a, double b) { return a * std::pow(b / a, between(0, 1)); }
-};
 
 Rig rig_of(const TinyOrgan& tiny, const Gauge& gauge, const ObstacleConfig& body) {
   Config config;
@@ -159,7 +151,7 @@ void expect_rest(const Felt& felt, const Gauge& gauge, const ObstacleConfig& bod
 }
 
 TEST(RestAtBone, OnBallsOfAnyPlace) {
-  Draw draw{std::mt19937_64{29}};
+  DoubleDraw draw(29);
   for (int i = 0; i < 16; ++i) {
     const Gauge& gauge = draw.between(0, 1) < 0.5 ? k22G : k18G;
     const double radius = draw.magnitude(1e-3, 10e-3), off = draw.between(0, 1.1 * radius);
@@ -175,7 +167,7 @@ TEST(RestAtBone, OnBallsOfAnyPlace) {
 }
 
 TEST(RestAtBone, OnFacesOfAnyTilt) {
-  Draw draw{std::mt19937_64{31}};
+  DoubleDraw draw(31);
   for (int i = 0; i < 16; ++i) {
     const Gauge& gauge = draw.between(0, 1) < 0.5 ? k22G : k18G;
     const double tilt = draw.between(-0.7, 0.7), roll = draw.between(0, kPi);
@@ -191,7 +183,7 @@ TEST(RestAtBone, OnFacesOfAnyTilt) {
 // The tip slides off a smooth ball and the shaft leans on the ball's side: a cantilever that is
 // pushed aside by `aside` at the arc length `arc` of the contact, F = 3 EI aside / arc^3.
 TEST(RestAtBone, AShaftLeansOnABallAsABeam) {
-  Draw draw{std::mt19937_64{37}};
+  DoubleDraw draw(37);
   for (int i = 0; i < 8; ++i) {
     const Gauge& gauge = i % 2 == 0 ? k22G : k18G;
     const double radius = draw.between(2e-3, 8e-3), aside = draw.between(0.2e-3, 1.5e-3);
@@ -234,7 +226,7 @@ TEST(RestAtBone, ATipThatSticksBucklesTheNeedleAtEulersLoad) {
 // are below the bar of 1.2 (PHYSICS 18.6); the test bounds how many are above it.
 TEST(RestAtBone, PressedFastOnHardBoneTheLoadIsThatOfASlowHand) {
   constexpr int kDraws = 48;
-  Draw draw = {std::mt19937_64(5)};
+  DoubleDraw draw(5);
   int above = 0;
   for (int i = 0; i < kDraws; ++i) {
     const Gauge& gauge = i % 2 == 0 ? k18G : k22G;
@@ -283,7 +275,7 @@ TEST(RestAtBone, ToAndFroAcrossABallGivesNothing) {
 // In tissue, on a turned box: the tissue's forces are part of the same equilibrium. The tissue
 // needs a second and a half to come to rest.
 TEST(RestAtBone, InTissueOnATurnedBox) {
-  Draw draw{std::mt19937_64{41}};
+  DoubleDraw draw(41);
   for (int i = 0; i < 6; ++i) {
     TinyOrgan tiny;
     tiny.nx = 12;

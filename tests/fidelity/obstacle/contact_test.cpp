@@ -68,7 +68,7 @@ TEST(Law, IsSilentOutOfTouch) {
 }
 
 TEST(Law, LinearLoadPredictsTheNextForce) {
-  Draw draw;
+  PlaceDraw draw;
   for (int i = 0; i < 2000; ++i) {
     ObstacleConfig config = bone_box(kHalf);
     config.pose = {draw.vector(0.05), draw.rotation()};
@@ -78,7 +78,7 @@ TEST(Law, LinearLoadPredictsTheNextForce) {
       return NeedlePiece{at, at, kNeedleRadiusM};
     };
     const Vec3 near = to_float(
-        {draw.uniform(-4e-3, 4e-3), draw.uniform(-4e-3, 4e-3), kTopM - draw.uniform(1e-5, 3e-4)});
+        {draw.between(-4e-3, 4e-3), draw.between(-4e-3, 4e-3), kTopM - draw.between(1e-5, 3e-4)});
     (void)touch.step(place(near));
     const ObstacleLoad before = touch.step(place(near));
     const NeedlePiece moved = place(near + to_float(1e-7 * to_double(draw.vector(1))));
@@ -323,7 +323,7 @@ struct Walk {
   }
 };
 
-Walk draw_walk(Draw& draw, double deep) {
+Walk draw_walk(PlaceDraw& draw, double deep) {
   Walk walk = {};
   const auto vector = [&](double size) { return to_double(draw.vector(size)); };
   walk.middle = vector(1);
@@ -367,7 +367,7 @@ Books keep_books(const Obstacle& body, const Walk& walk, int steps) {
 }
 
 void expect_books_close(const char* name, float friction, double deep, double tolerance) {
-  Draw draw;
+  PlaceDraw draw;
   double worst = 0, least = 1, through = 0, dissipated = 0;
   for (int i = 0; i < 100; ++i) {
     const Books books = keep_books(box(friction), draw_walk(draw, deep), 20000);
@@ -403,19 +403,18 @@ void expect_bounded(const Obstacle& body, const ObstacleLoad& load, const Obstac
 }
 
 TEST(Abuse, AnyJumpGivesAFiniteBoundedForceAndAValidStiffnessBound) {
-  Draw draw;
+  PlaceDraw draw;
   for (int body = 0; body < 400; ++body) {
     ObstacleConfig config = bone();
     config.pose = {draw.vector(0.01), draw.rotation()};
-    config.vertex_count = static_cast<std::uint32_t>(1 + draw.engine() % kMaxHullVertices);
-    const double size = std::pow(10, draw.uniform(-9, -1));
-    const Vec3 flat = {1, draw.engine() % 3 == 0 ? 0.0F : 1.0F,
-                       draw.engine() % 2 == 0 ? 0.0F : 1.0F};
+    config.vertex_count = static_cast<std::uint32_t>(1 + draw.bits() % kMaxHullVertices);
+    const double size = std::pow(10, draw.between(-9, -1));
+    const Vec3 flat = {1, draw.bits() % 3 == 0 ? 0.0F : 1.0F, draw.bits() % 2 == 0 ? 0.0F : 1.0F};
     for (std::uint32_t v = 0; v < config.vertex_count; ++v) {
       const Vec3 p = draw.vector(size);
       config.vertices_m[v] = {p.x * flat.x, p.y * flat.y, p.z * flat.z};
     }
-    if (draw.engine() % 4 == 0) config.rounding_m = draw.uniform_f(0, 0.01);
+    if (draw.bits() % 4 == 0) config.rounding_m = draw.uniform_f(0, 0.01);
     Touching touch = {prepared(config)};
     for (int i = 0; i < 200; ++i) {
       const double reach_m = i % 7 == 0 ? 1 : 0.012;
@@ -429,7 +428,7 @@ TEST(Abuse, AnyJumpGivesAFiniteBoundedForceAndAValidStiffnessBound) {
 }
 
 TEST(Abuse, AppearsInsideAndIsPushedOut) {
-  Draw draw;
+  PlaceDraw draw;
   for (int i = 0; i < 2000; ++i) {
     Touching touch = {prepared(i % 2 == 0 ? bone_box(kHalf) : bone_hull_of_sphere(64, 6e-3))};
     Vec3 at = draw.vector(2e-3);
@@ -471,7 +470,7 @@ TEST(Abuse, NotANumberIsNoContact) {
 // ---- the same bits ------------------------------------------------------------------------------
 
 TEST(Bits, AreTheSameFromEveryCompiler) {
-  Draw draw;
+  PlaceDraw draw;
   std::uint64_t hash = 14695981039346656037ULL;
   const auto mix = [&hash](float value) {
     hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 1099511628211ULL;

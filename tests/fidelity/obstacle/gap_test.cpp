@@ -19,7 +19,7 @@ struct Posed {
 };
 
 // A piece near the surface of the box with half sizes `kHalf`; the box lies anywhere within 0.1 m.
-Posed draw_pose(Draw& draw, const ObstacleConfig& shape, double length_m) {
+Posed draw_pose(PlaceDraw& draw, const ObstacleConfig& shape, double length_m) {
   ObstacleConfig config = shape;
   config.pose = {draw.vector(0.1), draw.rotation()};
   const Obstacle obstacle = prepared(config);
@@ -35,7 +35,7 @@ Posed draw_pose(Draw& draw, const ObstacleConfig& shape, double length_m) {
 // ---- box ----------------------------------------------------------------------------------------
 
 TEST(Gap, OfASphereAndABoxIsTheClosedFormAtFacesEdgesAndCorners) {
-  Draw draw;
+  PlaceDraw draw;
   const Vec3d half = to_double(kHalf);
   std::array<int, 4> regions = {};
   double worst = 0, worst_turn = 0;
@@ -64,11 +64,11 @@ TEST(Gap, OfASphereAndABoxIsTheClosedFormAtFacesEdgesAndCorners) {
 }
 
 TEST(Gap, OfACapsuleAndABoxIsTheLeastOverTheAxis) {
-  Draw draw;
+  PlaceDraw draw;
   double worst = 0, worst_place = 0;
   int outside = 0;
   for (int i = 0; i < kPoses; ++i) {
-    const Posed p = draw_pose(draw, bone_box(kHalf), draw.uniform(1e-3, 20e-3));
+    const Posed p = draw_pose(draw, bone_box(kHalf), draw.between(1e-3, 20e-3));
     const Vec3d half = to_double(kHalf);
     const double expected = box_distance(half, p.axis);
     if (expected < 1e-6) continue;
@@ -86,7 +86,7 @@ TEST(Gap, OfACapsuleAndABoxIsTheLeastOverTheAxis) {
 }
 
 TEST(Gap, InsideABoxIsADepthAlongWhichThePieceCanLeave) {
-  Draw draw;
+  PlaceDraw draw;
   int inside = 0, least = 0;
   for (int i = 0; i < kPoses; ++i) {
     const Posed p = draw_pose(draw, bone_box(kHalf), 2e-3);
@@ -110,13 +110,13 @@ TEST(Gap, InsideABoxIsADepthAlongWhichThePieceCanLeave) {
 // ---- spheres and hulls --------------------------------------------------------------------------
 
 TEST(Gap, OfASphereIsTheClosedForm) {
-  Draw draw;
+  PlaceDraw draw;
   constexpr float kRadius = 7e-3F;
   ObstacleConfig ball = bone();
   make_sphere(ball, kRadius);
   double worst = 0;
   for (int i = 0; i < kPoses; ++i) {
-    const Posed p = draw_pose(draw, ball, draw.uniform(0, 20e-3));
+    const Posed p = draw_pose(draw, ball, draw.between(0, 20e-3));
     const Vec3d along = p.axis.b_m - p.axis.a_m;
     const double length2 = dot(along, along);
     const double t = length2 > 0 ? std::clamp(-dot(p.axis.a_m, along) / length2, 0.0, 1.0) : 0;
@@ -132,7 +132,7 @@ TEST(Gap, OfASphereIsTheClosedForm) {
 }
 
 TEST(Gap, PointsInsideAndOnAHullDoNotMatter) {
-  Draw draw;
+  PlaceDraw draw;
   ObstacleConfig filled = bone_box(kHalf);
   while (filled.vertex_count < kMaxHullVertices) {
     Vec3 v = {draw.uniform_f(-1, 1) * kHalf.x, draw.uniform_f(-1, 1) * kHalf.y,
@@ -142,7 +142,7 @@ TEST(Gap, PointsInsideAndOnAHullDoNotMatter) {
   }
   double worst = 0;
   for (int i = 0; i < kPoses; ++i) {
-    const Posed p = draw_pose(draw, filled, draw.uniform(0, 20e-3));
+    const Posed p = draw_pose(draw, filled, draw.between(0, 20e-3));
     const double expected = box_distance(to_double(kHalf), p.axis);
     if (expected < 1e-6) continue;
     const Gap gap = gap_of(p.obstacle, p.piece);
@@ -153,7 +153,7 @@ TEST(Gap, PointsInsideAndOnAHullDoNotMatter) {
 }
 
 TEST(Gap, OfAHullOfASphereIsNearTheSphere) {
-  Draw draw;
+  PlaceDraw draw;
   constexpr double kRadius = 10e-3;
   const Obstacle hull = prepared(bone_hull_of_sphere(kMaxHullVertices, kRadius));
   // Every direction has a vertex within this angle: the hull lies between the sphere and the sphere
@@ -198,7 +198,7 @@ TEST(Gap, FlatCollinearAndPointHullsAreBodiesToo) {
   const Vec3d half[] = {{0.01, 0.01, 0}, {0.01, 0, 0}, {0, 0, 0}};
   const ObstacleConfig bodies[] = {plate, rod, point};
   for (std::size_t body = 0; body < 3; ++body) {
-    Draw draw;
+    PlaceDraw draw;
     for (int i = 0; i < kPoses; ++i) {
       const Posed p = draw_pose(draw, bodies[body], i % 4 == 0 ? 0 : 5e-3);
       const double expected = box_distance(half[body], p.axis);
@@ -242,17 +242,17 @@ TEST(Gap, AxesThroughOrInTouchWithDegenerateBodiesHaveANormal) {
 // ---- budgets ------------------------------------------------------------------------------------
 
 TEST(WayOut, HoldsItsBudgetAndAlwaysAnswers) {
-  Draw draw;
+  PlaceDraw draw;
   int square = 0;
   for (int i = 0; i < 200000; ++i) {
-    const auto vertices = static_cast<std::uint32_t>(1 + draw.engine() % kMaxHullVertices);
+    const auto vertices = static_cast<std::uint32_t>(1 + draw.bits() % kMaxHullVertices);
     ObstacleConfig config = bone();
     config.vertex_count = vertices;
     for (std::uint32_t v = 0; v < vertices; ++v) config.vertices_m[v] = draw.vector(1e-2);
     const Obstacle body = prepared(config);
     const ConvexHull hull = {{body.config.vertices_m, vertices}, to_double(body.centre_m)};
     const Segment axis = {to_double(draw.vector(5e-3)), to_double(draw.vector(5e-3))};
-    const auto budget = static_cast<std::uint32_t>(draw.engine() % (kMaxEscapeSupports + 1));
+    const auto budget = static_cast<std::uint32_t>(draw.bits() % (kMaxEscapeSupports + 1));
     const Vec3d out = way_out(hull, axis, budget);
     ASSERT_NEAR(norm(out), 1, 1e-9);
     square += std::fabs(dot(out, axis.b_m - axis.a_m)) < 1e-12 ? 1 : 0;
@@ -262,7 +262,7 @@ TEST(WayOut, HoldsItsBudgetAndAlwaysAnswers) {
 }
 
 TEST(Closest, NeedsFewerStepsThanItsBound) {
-  Draw draw;
+  PlaceDraw draw;
   const Obstacle ball = prepared(bone_hull_of_sphere(kMaxHullVertices, 10e-3));
   const ConvexHull hull = {{ball.config.vertices_m, kMaxHullVertices}, to_double(ball.centre_m)};
   for (int i = 0; i < 100000; ++i) {

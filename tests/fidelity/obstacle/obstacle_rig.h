@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
+#include "draw.h"
 #include "gap.h"
 #include "needle/convex.h"
 #include "needle/obstacle.h"
@@ -18,14 +18,10 @@ namespace stylet::test {
 
 constexpr float kNeedleRadiusM = 0.35e-3F;  // 22G
 
-struct Draw {
-  std::mt19937_64 engine{20140801};
-
-  // Not std::uniform_real_distribution, whose numbers differ between libraries.
-  double uniform(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
-  }
-  float uniform_f(double low, double high) { return static_cast<float>(uniform(low, high)); }
+// Places of bodies and needles.
+struct PlaceDraw : DoubleDraw {
+  PlaceDraw() : DoubleDraw(20140801) {}
+  float uniform_f(double low, double high) { return static_cast<float>(between(low, high)); }
   Vec3 vector(double size) {
     return {uniform_f(-size, size), uniform_f(-size, size), uniform_f(-size, size)};
   }
