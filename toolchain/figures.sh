@@ -24,7 +24,7 @@ declare -A makes=(
   [paper]="toolchain/book/figures/paper.svg, toolchain/book/paper.md: its table"
   [published]="toolchain/book/figures/published.svg"
   [growth]="tests/bench/results/growth.svg"
-  [speed]="tests/bench/results/*.csv, README.md: tables of speed"
+  [speed]="tests/bench/results/*.csv, tests/bench/README.md: tables"
   [constants]="kernel/constants.md"
   [promises]="README.md: table of promises"
 )
@@ -39,7 +39,7 @@ declare -A commands=(
              toolchain/book/figures/published.svg"
   [growth]="tests/bench/growth.py $build/bin/stylet-work --out tests/bench/results"
   [speed]="$build/bin/stylet bench --results=tests/bench/results &&
-           tests/bench/table.py tests/bench/results README.md"
+           tests/bench/table.py tests/bench/results tests/bench/README.md"
   [constants]="toolchain/sensitivity.py"
   [promises]="toolchain/check.sh full"
 )

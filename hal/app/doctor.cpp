@@ -128,9 +128,9 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
   const hal::Body ticks = patrol ? patrol->body() : hal::Body{};
   report.measurements = {{"quiet", false, {}}, {"loaded", patrol != nullptr, {}}};
   if (patrol) report.measurements.insert(report.measurements.begin() + 1, {"busy", true, {}});
-  const auto share = static_cast<double>(report.measurements.size());
+  const auto measurements = static_cast<double>(report.measurements.size());
   hal::MeasureConfig config = {.cpu = report.cpu, .priority = report.priority};
-  config.cycles = static_cast<std::uint64_t>(std::ceil(options.measure_s * 1e3 / share));
+  config.cycles = static_cast<std::uint64_t>(std::ceil(options.measure_s * 1e3 / measurements));
   const std::uint64_t all = config.cycles * report.measurements.size();
   std::atomic<std::uint64_t> cycles{0};
   const std::atomic<bool> stop{false};

@@ -80,8 +80,8 @@ PushSeen push(Probing& p, Vec3 direction, const std::atomic<bool>& stop, DeviceP
   Vec3 top = from;
   for (int i = 0; i < kPushTicks && !stop.load(); ++i) {
     const int from_top = std::abs(i - kPushTicks / 2);
-    const float share = 1 - static_cast<float>(from_top) / (kPushTicks / 2);
-    const float f = share * p.guard.max_force_n;
+    const float fraction = 1 - static_cast<float>(from_top) / (kPushTicks / 2);
+    const float f = fraction * p.guard.max_force_n;
     tick(p, f * direction, out);
     if (i <= kPushTicks / 2) top = p.last.pose.position_m;
   }

@@ -34,10 +34,10 @@ double largest_force(const GuardConfig& config, const GuardState& state) {
 // Uses the larger of the force sent and the force the motors report: a device that follows a spring
 // by itself may have more force than was sent.
 void note_heat(const GuardConfig& config, GuardState& state) {
-  const double share = std::min(step_s(config, state) / widened(config.thermal_s), 1.0);
+  const double gain = std::min(step_s(config, state) / widened(config.thermal_s), 1.0);
   const double told_n2 = state.have_motor != 0 ? wide_dot(state.motor_n, state.motor_n) : 0.0;
   const double felt_n2 = std::max(wide_dot(state.force_n, state.force_n), told_n2);
-  state.heat_n2 += share * (felt_n2 - state.heat_n2);
+  state.heat_n2 += gain * (felt_n2 - state.heat_n2);
 }
 
 void watch_for_buzz(const GuardConfig& config, GuardState& state) {
@@ -266,9 +266,9 @@ Vec3 guard_torque(const GuardConfig& config, float max_torque_nm, GuardState& fo
   limits.max_force_n = max_torque_nm;
   limits.max_slew_n_per_s = 2 * max_torque_nm / kDecayS;
   // The same fractions of a limit as for a force; what damps a motion does not damp a turn.
-  const float share = max_torque_nm / config.max_force_n;
-  limits.buzz_n = share * config.buzz_n;
-  limits.continuous_force_n = share * config.continuous_force_n;
+  const float torque_per_force_m = max_torque_nm / config.max_force_n;
+  limits.buzz_n = torque_per_force_m * config.buzz_n;
+  limits.continuous_force_n = torque_per_force_m * config.continuous_force_n;
   limits.passivity_damping_n_s_per_m = 0;
   if (force_state.fault != Fault::kNone) guard_trip(torque_state, force_state.fault);
   if (force_state.fault == Fault::kNone) (void)guard_rearm(torque_state, torque_state.fault);

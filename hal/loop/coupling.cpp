@@ -10,10 +10,10 @@ namespace {
 
 // The stiffness that the base has met recently, at most `bound`.
 float met_stiffness(const CouplingConfig& config, CouplingState& state, Vec3 force_n, float bound) {
-  const float share = config.period_s / (config.period_s + kCouplingStiffnessS);
+  const float gain = config.period_s / (config.period_s + kCouplingStiffnessS);
   const float work = -dot(force_n - state.force_n, state.moved_m);
-  state.work_j += share * (work - state.work_j);
-  state.square_m2 += share * (dot(state.moved_m, state.moved_m) - state.square_m2);
+  state.work_j += gain * (work - state.work_j);
+  state.square_m2 += gain * (dot(state.moved_m, state.moved_m) - state.square_m2);
   if (!(state.work_j > 0)) return 0;
   return state.work_j < bound * state.square_m2 ? state.work_j / state.square_m2 : bound;
 }

@@ -46,9 +46,9 @@ Pose placed(const GripConfig& config, Vec3 wanted_m, const Quat& rotation) {
 Vec3 force_of_torque(const GripConfig& config, Vec3 base_m, Vec3 torque_nm) {
   const Lever lever = lever_of(config, base_m);
   const Vec3 d = lever.direction;
-  const float share = dot(torque_nm, d) / (1 + dot(d, kInwards));
+  const float twist_nm = dot(torque_nm, d) / (1 + dot(d, kInwards));
   const Vec3 swing = cross(d, torque_nm);
-  const Vec3 spin = share * cross(kInwards, d);
+  const Vec3 spin = twist_nm * cross(kInwards, d);
   return 1 / lever.length_m * (swing + spin);
 }
 

@@ -77,10 +77,10 @@ Vec3 send_force(const HandConfig& config, const Kernel& kernel, std::uint32_t ne
   // The spring is scaled as the guard scales the force. While the guard lets a force fall slowly it
   // sends more than is asked, but the spring must not become stiffer than it was.
   const float asked = length(wanted.force_n), sent = length(command.force_n);
-  const float share =
+  const float scale =
       asked > 0 && state.guard.fault == Fault::kNone ? std::min(sent / asked, 1.0F) : 0;
   command.stiffness_n_per_m =
-      share * config.coupling.stiffness_n_per_m * grip_stiffness(config.grip, state.grip);
+      scale * config.coupling.stiffness_n_per_m * grip_stiffness(config.grip, state.grip);
   std::array<Vec3, kMaxRods + 1> node;
   const std::uint32_t nodes = needle_shape(kernel, needle, node);
   if (nodes >= 2) {

@@ -10,11 +10,11 @@ Vec3 steady_position(float resolution_m, float period_s, SteadyState& state, Vec
     state = {true, told_m, {}};
     return told_m;
   }
-  const float share = period_s / (period_s + kSteadyS), half = 0.5F * resolution_m;
-  const auto follow = [share, half](float& position, float& step, float told) {
+  const float gain = period_s / (period_s + kSteadyS), half = 0.5F * resolution_m;
+  const auto follow = [gain, half](float& position, float& step, float told) {
     const float expected = position + step;
     position = std::clamp(expected, told - half, told + half);
-    step += share * (position - expected);
+    step += gain * (position - expected);
   };
   follow(state.position_m.x, state.step_m.x, told_m.x);
   follow(state.position_m.y, state.step_m.y, told_m.y);

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// One tick: the automaton of the paper, and the only place that knows the order of its steps.
+// One tick: the automaton of the paper, and the only place that knows the order of its steps
+// (PHYSICS 1.3). Numbers of the paper are sections and their steps.
 //
+//                                                                      paper       PHYSICS
 //   for each needle
-//     1  input     the hand's pose, checked and clamped
-//     2  place     the needle there, bent by the last tick's forces          paper IV.C, step 1
-//     3  contact   free: does the tip meet the surface?                      IV.B, step 1
-//     4  carry     constraint particles (CPs) creep and go with the needle   IV.C, step 2
-//     5  puncture  contact: it holds, ends, or breaks the surface            IV.B, step 3
-//     6  cut       the tip moves on to other tissue                          IV.C, step 3
-//     7  slip      the shaft's CPs slip back to the limit of friction        IV.C, step 3; V
-//     8  add, remove  CPs behind a tip that goes on or comes back            IV.C, step 4
-//     9  bend      a tip in contact once more, by its pressing force         IV.B, step 4;
-//                  a tip that has just left its hole looks for the surface again
+//     1  input     the hand's pose, checked and clamped                              5, 6.6
+//     2  place     the needle there, bent by the last tick's forces      IV.C, 1     6, 13
+//     3  contact   free: does the tip meet the surface?                  IV.B, 1     7
+//     4  carry     constraint particles (CPs) creep, go with the needle  IV.C, 2     10.5, 12.4
+//     5  puncture  contact: it holds, ends, or breaks the surface        IV.B, 3     8, 9.1
+//     6  cut       the tip moves on to other tissue                      IV.C, 3     9.3
+//     7  slip      the shaft's CPs slip back to the limit of friction    IV.C, 3; V  12.1
+//     8  add, remove  CPs behind a tip that goes on or comes back        IV.C, 4     10.4
+//     9  bend      a tip in contact once more, by its pressing force;    IV.B, 4     6.4
+//                  a tip that has just left its hole looks for the surface again     7
 //   for all together
-//     10 tissue    shape matching, CPs included, substep by substep          IV.B, step 2
+//     10 tissue    shape matching, CPs included, substep by substep      IV.B, 2     10.2, 2, 3
 //   for each needle
-//     11 slip      CPs that the tissue dragged along slip once more
-//     12 bend      by the new forces                                         IV.B, step 4
-//     13 force     on the hand, by cause                                     V
+//     11 slip      CPs that the tissue dragged along slip once more                  12.6
+//     12 bend      by the new forces                                     IV.B, 4     6.4
+//     13 force     on the hand, by cause                                 V           14.1
 //
 // Phases: free -> contact (3) -> inserted (5) <-> retracting (6) -> free (8). A needle that finds
 // its old hole enters it from contact (5), or from free if tissue has come over the needle (3).

@@ -769,7 +769,7 @@ class Refusals(Folder):
         """Its message is a command that a shell accepts, and after it the scene runs."""
         scenes = self.top / "scenes of mine"
         scenes.mkdir()
-        for name in ("fig10-steering.toml", "steering-gel.toml"):
+        for name in ("fig10-steering.toml", "steering-gel.tissues"):
             (scenes / name).write_bytes((SOURCE / "hal/scenes" / name).read_bytes())
         words = ["run", scenes / "fig10-steering.toml", "--fast", "--duration-s", "0.01"]
         self.expect_refusal(["fig10-steering.organ: no such file"], "stylet", *words)

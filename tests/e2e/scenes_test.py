@@ -325,11 +325,11 @@ hold_s = 0.5
         text = before.replace('"steered"', '"simulated"') + self.HAND.format(travel=travel_mm)
         scene = self.folder / "pushed.toml"
         scene.write_text(text + bodies)
-        gel = (play.HERE / "steering-gel.toml").read_text()
-        tissue = self.folder / "gel.toml"
+        gel = (play.HERE / "steering-gel.tissues").read_text()
+        tissue = self.folder / "gel.tissues"
         tissue.write_text(gel.replace("youngs_modulus_kpa = 50",
                                       f"youngs_modulus_kpa = {modulus_kpa}"))
-        recipe = [str(tissue) if word.endswith("steering-gel.toml") else word
+        recipe = [str(tissue) if word.endswith("steering-gel.tissues") else word
                   for word in play.recipe_of(self.name)]
         organ = self.folder / "pushed.organ"
         play.call([play.BIN / recipe[0], *recipe[1:], "-o", organ])

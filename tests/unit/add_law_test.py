@@ -8,7 +8,6 @@ shaft in both has each law on its part of the length.
 
 usage: add_law_test.py SOURCE COMPILER FLATC
 """
-import math
 import pathlib
 import shutil
 import subprocess
@@ -21,45 +20,49 @@ from command import run
 
 SOURCE, COMPILER, FLATC = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 
-# File, text in it, and what replaces that text.
-ONE_MORE_NUMBER = [
-    ("kernel/include/stylet/material.h", '"membrane_n_per_mm", 1e3, false)',
-     '"membrane_n_per_mm", 1e3, false) \\\n'
-     '  F(wet_friction_n_per_m, 0, 10, "0 to 10", "wet_friction_n_per_mm", 1e3, false)'),
-    ("kernel/schema/organ.fbs", "  membrane_n_per_m:float32;",
-     "  membrane_n_per_m:float32;\n  wet_friction_n_per_m:float32;"),
-    ("kernel/src/laws/friction.h", "  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2)",
-     "  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2) \\\n"
-     "  F(wet_n_per_m, m.wet_friction_n_per_m)"),
-    ("kernel/src/laws/friction.h",
-     "inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {",
-     "inline float dry_n_per_m(const Friction& f, float speed_m_per_s);\n"
-     "inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {\n"
+# Where a number is added: file, the line with which its list begins, how a line of the list ends
+# if another follows.
+MATERIAL = ("kernel/include/stylet/material.h", "#define STYLET_MATERIAL_NUMBERS(F)", " \\")
+SCHEMA = ("kernel/schema/organ.fbs", "table Material {", "")
+FRICTION = ("kernel/src/laws/friction.h", "#define STYLET_FRICTION_NUMBERS(F)", " \\")
+LAW = "friction_n_per_m(const Friction& f, float speed_m_per_s)"
+LEAST = "least_friction_n_per_m(const Friction& f)"
+
+NEW_NUMBERS = [
+    (MATERIAL, 'F(wet_friction_n_per_m, 0, 10, "0 to 10", "wet_friction_n_per_mm", 1e3, false)'),
+    (SCHEMA, "wet_friction_n_per_m:float32;"),
+    (FRICTION, "F(wet_n_per_m, m.wet_friction_n_per_m)"),
+]
+# What is written before or in place of a text of laws/friction.h. The law that is there is called
+# by the new one, whatever it is.
+NEW_LAW = [
+    (f"inline float {LAW} {{",
+     f"inline float dry_{LAW};\ninline float {LAW} {{\n"
      "  return f.wet_n_per_m * speed_m_per_s / (speed_m_per_s + 1) +\n"
-     "         dry_n_per_m(f, speed_m_per_s);\n"
-     "}\ninline float dry_n_per_m(const Friction& f, float speed_m_per_s) {"),
+     f"         dry_friction_n_per_m(f, speed_m_per_s);\n}}\ninline float dry_{LAW} {{"),
 ]
 
-# The recipe of kernel/README.md: a number of the tissue says which part of its friction follows the
+# The recipe of kernel/own_law.md: a number of the tissue says which part of its friction follows the
 # second law, and each law has its own amplitudes.
 STAYS = "(1 - m.rising_friction) * "
+SECOND_NUMBERS = [
+    (MATERIAL, 'F(rising_friction, 0, 1, "0 to 1", "rising_friction", 1, false)'),
+    (SCHEMA, "rising_friction:float32;"),
+    (FRICTION, "F(rising_n_per_m, m.rising_friction * m.coulomb_friction_n_per_m)"),
+]
 SECOND_LAW = [
-    ("kernel/include/stylet/material.h", '"membrane_n_per_mm", 1e3, false)',
-     '"membrane_n_per_mm", 1e3, false) \\\n'
-     '  F(rising_friction, 0, 1, "0 to 1", "rising_friction", 1, false)'),
-    ("kernel/schema/organ.fbs", "  membrane_n_per_m:float32;",
-     "  membrane_n_per_m:float32;\n  rising_friction:float32;"),
-    ("kernel/src/laws/friction.h", "m.coulomb_friction_n_per_m)",
-     STAYS + "m.coulomb_friction_n_per_m)"),
-    ("kernel/src/laws/friction.h", "m.static_friction_n_per_m)",
-     STAYS + "m.static_friction_n_per_m)"),
-    ("kernel/src/laws/friction.h", "m.viscous_friction_n_s_per_m2)",
-     STAYS + "m.viscous_friction_n_s_per_m2) \\\n"
-     "  F(rising_n_per_m, m.rising_friction * m.coulomb_friction_n_per_m)"),
-    ("kernel/src/laws/friction.h", "f.viscous_n_s_per_m2 * speed_m_per_s;",
-     "f.viscous_n_s_per_m2 * speed_m_per_s + f.rising_n_per_m * (1 + s / (1 + s));"),
-    ("kernel/src/laws/friction.h", "return f.coulomb_n_per_m;",
-     "return f.coulomb_n_per_m + f.rising_n_per_m;"),
+    ("F(coulomb_n_per_m, ", "F(coulomb_n_per_m, " + STAYS),
+    ("F(static_n_per_m, ", "F(static_n_per_m, " + STAYS),
+    ("F(viscous_n_s_per_m2, ", "F(viscous_n_s_per_m2, " + STAYS),
+    (f"inline float {LAW} {{",
+     f"inline float first_{LAW};\ninline float {LAW} {{\n"
+     "  const float s = speed_m_per_s * f.inverse_stribeck_s_per_m;\n"
+     "  return first_friction_n_per_m(f, speed_m_per_s) + f.rising_n_per_m * (1 + s / (1 + s));\n"
+     f"}}\ninline float first_{LAW} {{"),
+    (f"inline float {LEAST} {{",
+     f"inline float first_{LEAST};\ninline float {LEAST} {{\n"
+     f"  return first_least_friction_n_per_m(f) + f.rising_n_per_m;\n}}\n"
+     f"inline float first_{LEAST} {{"),
 ]
 
 KERNEL = ["kernel.cpp", "state/snapshot.cpp", "state/layout.cpp", "coupling/friction.cpp"]
@@ -78,8 +81,9 @@ int main(int, char** arguments) {
   Material material = organ_material(organ, 0);
   std::printf("%g", double(material.wet_friction_n_per_m));
   material.wet_friction_n_per_m = 4;
-  const Friction friction = friction_of(material), mean = mixed({}, friction, 0.5F);
-  std::printf(" %g %g", double(friction_n_per_m(friction, 1)), double(mean.wet_n_per_m));
+  const Friction dry = friction_of(organ_material(organ, 0)), wet = friction_of(material);
+  std::printf(" %g %g", double(friction_n_per_m(wet, 1)) - double(friction_n_per_m(dry, 1)),
+              double(mixed({}, wet, 0.5F).wet_n_per_m));
   for (const offline::Tissue& tissue : offline::read_tissues(arguments[1])) {
     std::printf(" %g", tissue.wet_friction_n_per_m);
   }
@@ -133,7 +137,7 @@ int main() {
 }
 """
 
-# The table of a tissue: its formerly last number and the new one, at 0 and at 4.
+# The table of a tissue: its formerly last number (former, FORMER) and the new one, at 0 and at 4.
 WRITER = """#include <cstdio>
 #include "asset/write_organ.cpp"
 
@@ -142,13 +146,14 @@ namespace {
 
 void tell(double wet_n_per_m) {
   Tissue tissue;
+  tissue.former = 1;
   tissue.wet_friction_n_per_m = wet_n_per_m;
   FlatBufferBuilder builder;
   builder.ForceDefaults(true);
   builder.Finish(write_material(builder, tissue));
   const auto& table = *flatbuffers::GetRoot<format::Material>(builder.GetBufferPointer());
   const auto* fields = reinterpret_cast<const flatbuffers::Table*>(&table);
-  std::printf("%d %d %g;", fields->CheckField(format::Material::VT_MEMBRANE_N_PER_M),
+  std::printf("%d %d %g;", fields->CheckField(format::Material::VT_FORMER),
               fields->CheckField(format::Material::VT_WET_FRICTION_N_PER_M),
               double(table.wet_friction_n_per_m()));
 }
@@ -163,14 +168,40 @@ int main() {
 """
 
 
+def end_of_list(lines, begins, carries_on):
+    """Index of the last line of the macro, or of the line that closes the table, that begins so."""
+    first = next(i for i, line in enumerate(lines) if line.startswith(begins))
+    return next(i for i in range(first, len(lines))
+                if (not lines[i].endswith(carries_on) if carries_on else lines[i] == "}"))
+
+
+def add_at_end(path, begins, carries_on, line):
+    lines = path.read_text().splitlines()
+    end = end_of_list(lines, begins, carries_on)
+    if carries_on:
+        lines[end] += carries_on
+        end += 1
+    lines.insert(end, "  " + line)
+    path.write_text("\n".join(lines) + "\n")
+
+
+def last_field():
+    """Of a material in the schema."""
+    lines = (SOURCE / SCHEMA[0]).read_text().splitlines()
+    return lines[end_of_list(lines, *SCHEMA[1:]) - 1].split(":")[0].strip()
+
+
 class AddLaw(unittest.TestCase):
-    def copied(self, folder, changes):
+    def copied(self, folder, numbers, law):
         for name in "kernel/include", "kernel/schema", "kernel/src", "offline/src", "tests/support":
             shutil.copytree(SOURCE / name, folder / name)
-        for name, old, new in changes:
-            text = (folder / name).read_text()
-            self.assertEqual(text.count(old), 1, f"{name}: {old}")
-            (folder / name).write_text(text.replace(old, new))
+        for place, line in numbers:
+            add_at_end(folder / place[0], *place[1:], line)
+        path = folder / "kernel/src/laws/friction.h"
+        for old, new in law:
+            text = path.read_text()
+            self.assertEqual(text.count(old), 1, old)
+            path.write_text(text.replace(old, new))
         run(FLATC, "--cpp", "--scoped-enums", "-o", folder, folder / "kernel/schema/organ.fbs")
         return [COMPILER, "-std=c++20", "-I", folder, "-I", folder / "kernel/include",
                 "-iquote", folder / "kernel/src", "-iquote", folder / "offline/src",
@@ -184,7 +215,7 @@ class AddLaw(unittest.TestCase):
     def test_three_lines_and_the_law(self):
         with tempfile.TemporaryDirectory(prefix="stylet-law-") as name:
             folder = pathlib.Path(name)
-            compiler = self.copied(folder, ONE_MORE_NUMBER)
+            compiler = self.copied(folder, NEW_NUMBERS, NEW_LAW)
             kernel, offline = folder / "kernel/src", folder / "offline/src"
             run(*compiler, "-fsyntax-only", *(kernel / each for each in KERNEL),
                 offline / "asset/write_organ.cpp", "-I", SOURCE / "kernel/content")
@@ -195,7 +226,8 @@ class AddLaw(unittest.TestCase):
                 offline / "asset/materials.cpp", offline / "base/toml_file.cpp",
                 SOURCE / "toolchain/toml/toml_text.cpp",
                 offline / "base/file.cpp", "-lfmt", "-lcrypto")
-            (folder / "writer.cpp").write_text(WRITER)
+            (folder / "writer.cpp").write_text(
+                WRITER.replace("FORMER", last_field().upper()).replace("former", last_field()))
             writer = folder / "writer"
             run(*compiler, "-I", SOURCE / "kernel/content", "-o", writer, folder / "writer.cpp",
                 kernel / "organ/organ.cpp", kernel / "organ/runs.cpp", kernel / "base/status.cpp",
@@ -205,8 +237,8 @@ class AddLaw(unittest.TestCase):
             self.assertEqual(run(writer), "1 0 0;1 1 4;")
             tissues = folder / "tissues.toml"
             tissues.write_text("[gel]\n[liver]\nwet_friction_n_per_mm = 0.002\n")
-            # 10 N/m of Coulomb's, and 4 / 2 at 1 m/s.
-            self.assertEqual(run(program, tissues), "0 12 2 0 2")
+            # 4 / 2 at 1 m/s; half of 4 in the mean.
+            self.assertEqual(run(program, tissues), "0 2 2 0 2")
             tissues.write_text("[liver]\nwet_friction_n_per_mm = 0.02\n")
             done = subprocess.run([program, tissues], capture_output=True, text=True)
             self.assertIn("wet_friction_n_per_mm = 0.02: expected 0 to 0.01", done.stderr)
@@ -214,17 +246,18 @@ class AddLaw(unittest.TestCase):
     def test_a_second_law_that_a_tissue_chooses(self):
         with tempfile.TemporaryDirectory(prefix="stylet-law-") as name:
             before, after = pathlib.Path(name) / "before", pathlib.Path(name) / "after"
-            old, new = self.copied(before, []), self.copied(after, SECOND_LAW)
+            old = self.copied(before, [], [])
+            new = self.copied(after, SECOND_NUMBERS, SECOND_LAW)
             run(*new, "-fsyntax-only", *(after / "kernel/src" / each for each in KERNEL))
             lines = self.printed(before, old, SAME)
             self.assertEqual(len(set(lines.splitlines())), 1000)
             self.assertEqual(self.printed(after, new, SAME), lines)
-            first = 10 + 5 * math.exp(-0.09) + 100 * 0.003
+            found = [float(each) for each in self.printed(after, new, BOTH).split()]
+            first, least = found[:2]
             second = 10 * (1 + 0.3 / 1.3)
-            wanted = [first, 10, second, 10, 0.75 * first + 0.25 * second, 10]
-            for found, right in zip(map(float, self.printed(after, new, BOTH).split()), wanted,
-                                    strict=True):
-                self.assertAlmostEqual(found / right, 1, delta=1e-6)
+            wanted = [second, 10, 0.75 * first + 0.25 * second, 0.75 * least + 0.25 * 10]
+            for number, right in zip(found[2:], wanted, strict=True):
+                self.assertAlmostEqual(number / right, 1, delta=1e-6)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ import sys
 
 TOLERANCE = 0.01
 README, PROMISES, PHYSICS = "README.md", "kernel/PROMISES.md", "kernel/PHYSICS.md"
+BENCH = "tests/bench/README.md"
 HALVING, CALCULIX = "tests/e2e/halving.md", "tests/fidelity/calculix/README.md"
 
 
@@ -82,7 +83,7 @@ def rows(top):
     yield README, r"`cross\.virtual_time` \|[^|]*worst (\d+), median (\d+)", cortex["elastic"]
     budget = constant(top / "tests/bench/growth.py", "BUDGET")
     budgets = [budget[what][of] for what in ("step", "sweep") for of in ("avx2", "avx512")]
-    yield README, r"the test allows (\d+), (\d+), (\d+) and (\d+)\.", budgets
+    yield BENCH, r"the test allows (\d+), (\d+), (\d+) and (\d+)\.", budgets
     yield from rows_of_tables(top)
     yield ("tests/README.md", r"than its budget \((\d+) a voxel with AVX2, (\d+) with\s+added",
            [budget["step"]["avx2"], budget["sweep"]["avx2"]])

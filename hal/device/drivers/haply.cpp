@@ -192,11 +192,11 @@ Wishes wishes_of(std::string& rest) {
       const char* const end = wish.data() + wish.size();
       if (std::from_chars(wish.data() + equals + 1, end, value).ptr != end) value = -1;
     }
-    const bool share = (key == "gate" || key == "damping") && value >= 0 && value <= 1;
+    const bool fraction = (key == "gate" || key == "damping") && value >= 0 && value <= 1;
     const bool whole_number = value == std::floor(value);
     const bool port = key == "events" && whole_number && value >= 1 && value <= 65535;
     const bool grip = key == "grip" && equals + 1 < wish.size();
-    if (!share && !port && !grip)
+    if (!fraction && !port && !grip)
       throw DeviceError(fmt::format("haply:{}: {}: {}", whole, wish, kExpected));
     if (key == "gate") wishes.gate = value;
     if (key == "damping") wishes.damping = value;

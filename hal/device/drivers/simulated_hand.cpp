@@ -15,9 +15,9 @@ struct Target {
   double turns;
 };
 
-// Turns since the start, at the fraction `share` of the motion from a to b.
-double turns_at(const ScriptPoint& a, const ScriptPoint& b, double share) {
-  const double due = share * (b.turns - a.turns);
+// Turns since the start, at `fraction` of the motion from a to b.
+double turns_at(const ScriptPoint& a, const ScriptPoint& b, double fraction) {
+  const double due = fraction * (b.turns - a.turns);
   const double whole = std::trunc(due);
   const double part = (due - whole) / b.duty;
   return a.turns + whole + std::clamp(part, -1.0, 1.0);
@@ -31,11 +31,11 @@ Target target_at(SimulatedHand& hand, double t_s) {
   const ScriptPoint& b = script[std::min(hand.segment + 1, script.size() - 1)];
   const double span = b.t_s - a.t_s;
   if (!(span > 0) || t_s >= b.t_s) return {{b.x_m, b.y_m, b.z_m}, {0, 0, 0}, b.turns};
-  const double share = (t_s - a.t_s) / span;
+  const double fraction = (t_s - a.t_s) / span;
   const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m, dz = b.z_m - a.z_m;
-  return {{a.x_m + share * dx, a.y_m + share * dy, a.z_m + share * dz},
+  return {{a.x_m + fraction * dx, a.y_m + fraction * dy, a.z_m + fraction * dz},
           {dx / span, dy / span, dz / span},
-          turns_at(a, b, share)};
+          turns_at(a, b, fraction)};
 }
 
 double of(float value) {

@@ -106,15 +106,15 @@ void listen(SpaceMouse& mouse) {
 // The daemon has x right, y up, z away from the operator, and rotations about these three.
 void move(SpaceMouse& mouse, double dt_s) {
   if (mouse.now_ns - mouse.moved_ns > kHoldNs) mouse.motion = {};
-  const auto share = [&](std::size_t i, double sign) {
+  const auto deflection_s = [&](std::size_t i, double sign) {
     return sign * std::clamp(static_cast<double>(mouse.motion[i]) / kFullDeflection, -1.0, 1.0) *
            dt_s;
   };
   const double sign[3] = {1, 1, -1};
   float half[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    mouse.position_m[i] += kSpeedMPerS * share(i + 1, sign[i]);
-    half[i] = static_cast<float>(0.5 * kTurnRadPerS * share(i + 4, sign[i]));
+    mouse.position_m[i] += kSpeedMPerS * deflection_s(i + 1, sign[i]);
+    half[i] = static_cast<float>(0.5 * kTurnRadPerS * deflection_s(i + 4, sign[i]));
   }
   mouse.rotation = unit(product({1, half[0], half[1], half[2]}, mouse.rotation));
 }

@@ -24,7 +24,7 @@ ORGANS = {
              "--layer", "fat:12", "--layer", "muscle:12", "--layer", "liver:52"],
     # The tissue and the holding of hal/scenes/fig10-steering.toml.
     "gel": ["block", "--size-mm", "150,60,80", "--voxel-mm", "5", "--tissue", "stiff_gel",
-            "--materials", SOURCE / "hal/scenes/steering-gel.toml", "--fix", "x>95%",
+            "--materials", SOURCE / "hal/scenes/steering-gel.tissues", "--fix", "x>95%",
             "--fix", "y<5%", "--fix", "y>95%", "--fix", "z<5%", "--fix", "z>95%"],
 }
 

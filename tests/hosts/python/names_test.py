@@ -102,7 +102,7 @@ class Stubs(unittest.TestCase):
 
 class Structs(unittest.TestCase):
     def test_defaults_are_those_of_an_18g_needle(self):
-        """hal/scene/README.md: 18G, 1.270 mm, 150 mm."""
+        """hal/scene/by_name.md: 18G, 1.270 mm, 150 mm."""
         needle = stylet.Needle()
         self.assertAlmostEqual(needle.outer_radius_m, 0.635e-3, places=9)
         self.assertAlmostEqual(needle.length_m, 0.15, places=7)
