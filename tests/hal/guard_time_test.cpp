@@ -19,7 +19,7 @@ constexpr std::int64_t kMs = 1'000'000;
 constexpr double kRounding = 3e-5;
 
 struct Draw : test::DoubleDraw {
-  using DoubleDraw::DoubleDraw;
+  using test::DoubleDraw::DoubleDraw;
   std::int64_t below(std::int64_t most) {
     return static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(most));
   }

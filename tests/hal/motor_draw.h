@@ -18,7 +18,7 @@ using test::number_from;
 using test::size;
 
 struct Draw : test::DoubleDraw {
-  using DoubleDraw::DoubleDraw;
+  using test::DoubleDraw::DoubleDraw;
   std::int64_t ms(double low, double high) {
     return static_cast<std::int64_t>(between(low, high) * 1e6);
   }

@@ -42,8 +42,8 @@ NEW_LAW = [
      f"         dry_friction_n_per_m(f, speed_m_per_s);\n}}\ninline float dry_{LAW} {{"),
 ]
 
-# The recipe of kernel/own_law.md: a number of the tissue says which part of its friction follows the
-# second law, and each law has its own amplitudes.
+# As in kernel/own_law.md: a number of the tissue says which part of its friction follows the second
+# law, and each law has its own amplitudes.
 STAYS = "(1 - m.rising_friction) * "
 SECOND_NUMBERS = [
     (MATERIAL, 'F(rising_friction, 0, 1, "0 to 1", "rising_friction", 1, false)'),

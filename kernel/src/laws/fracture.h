@@ -4,8 +4,8 @@
 // Written forces are taken as they are. Where a tissue has a toughness J, they follow from it. The
 // tip tears a crack of the length c and the shank spreads it to a hole as wide as itself (Shergold
 // and Fleck 2004; Azar and Hayward 2008; Barnett, Lee, Moore 2015):
-//   F_c = J c + S (1 + mu cot(alpha)),   S = (pi / 4) E* a^2.
-// S is the energy of a straight crack in linear elasticity (plane strain), under an even pressure
+//   F_c = J c + F_h (1 + mu cot(alpha)),   F_h = (pi / 4) E* a^2.
+// F_h is the energy of a straight crack in linear elasticity (plane strain), under an even pressure
 // p = E* / 2 at which it is an ellipse as wide as it is long: the needle's section, for a crack as
 // long as the needle is wide. The cone of half angle alpha rubs at that pressure as it goes in.
 // Friction per length of shaft is mu p 2 pi a. In a hole that is there already nothing is torn.

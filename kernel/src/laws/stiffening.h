@@ -3,11 +3,11 @@
 //
 // With S = R^T F the strain of a voxel seen from its rotation, J is the squared norm of the part of
 // S that changes the shape, not the volume. Linear tissue stores G J; this stores
-//   G (J + b J^2 / (2 + b J / M)),
+//   G (J + b J^2 / (2 + b J / Z)),
 // so its shear modulus, the derivative by J, is G at rest, grows as G (1 + b J) and ends at
-// G (1 + M), with M = kMaxStiffer. In a small shear g, J is g^2 / 2; in an isochoric stretch by the
+// G (1 + Z), with Z = kMaxStiffer. In a small shear e, J is e^2 / 2; in an isochoric stretch by the
 // small strain e, it is 3 e^2 / 2. Rational: no step of the strain takes more than one division,
-// and the stiffest motion (the largest second derivative of the energy, at b J = 2 M) is bounded.
+// and the stiffest motion (the largest second derivative of the energy, at b J = 2 Z) is bounded.
 //
 // Promises: no branch, finite for all finite J >= 0. PHYSICS 2.7.
 #pragma once
