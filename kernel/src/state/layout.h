@@ -17,6 +17,7 @@
 #include "needle/obstacle.h"
 #include "needle/rod.h"
 #include "organ/runs.h"
+#include "state/lattice_plan.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
 #include "stylet/organ.h"
@@ -49,60 +50,6 @@ struct Counts {
 // cache. (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
-
-// A stretch of voxels x0 .. x0 + count - 1 of row y (counted over all sheets) in a plane; holes are
-// slots without stiffness. The slots before the first and after the last are empty, so a node sees
-// zeros beyond the ends. Rows are sorted by plane, y and x.
-struct Row {
-  std::uint32_t slot;
-  std::uint16_t count, x0, y, plane;
-  std::uint32_t node[4];    // particle at (x0, y + dy, plane + dz), index dy + 2 dz
-  std::uint32_t window[2];  // first window of line y, in each of the two lists
-};
-
-// Where a plane's tiles begin (lattice/tiles.h): of the particles at its low side, then of its
-// voxels.
-struct PlaneTiles {
-  std::uint32_t node, voxel, end;
-};
-
-struct Plane {
-  std::uint32_t row_begin;                     // the next plane's row_begin is the end
-  std::uint32_t z;                             // in space, of the particles at the low side
-  std::uint32_t slot_begin, slot_end;          // multiples of kLanes
-  std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
-  std::uint32_t window_begin[2], window_end[2];
-  std::uint32_t tie_begin, tie_end;  // of the particles at the plane's low side
-  PlaneTiles tiles;
-};
-
-// Two nodes that are one particle, in different sheets of the lattice.
-struct TiedNode {
-  std::uint32_t node, representative;
-};
-
-// Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows
-// y - 1 and y that send forces to them (lattice/plan.h).
-struct Window {
-  // Slot at the low side of the first node, in the plane; at least -kLanes. A row without any bit
-  // gets the other row's slot: only sums of rows that reach the window are available.
-  std::int32_t slot[2];
-  std::uint16_t lanes[2];   // a bit for each node that belongs to the row
-  std::uint32_t low, high;  // the first node, in the particle planes below and above
-};
-
-// Eight places of the filter's passes (lattice/tiles.h): the four that it takes from, as places
-// in an array of a plane. Voxels take from nodes at (y, y + 1) below, then above; nodes from voxels
-// at (y - 1, y) below, then above.
-struct Tile {
-  std::uint32_t from[4];
-  std::uint32_t ready;  // of voxels: tiles of nodes below them that then have got everything
-};
-// What of a stretch lies in the tile of the same index.
-struct Piece {
-  std::int32_t at;      // the tile's first lane among a plane's slots or particles, or before them
-  std::uint32_t lanes;  // a bit for each that is the stretch's
-};
 
 // What the tick needs to know of a material; derived once.
 struct MaterialModel {
