@@ -173,17 +173,35 @@ float corner_bound(const Model& model, std::uint32_t slot) {
   return model.slot_k[slot] * (1 + max_of(3 * model.slot_volume[slot], shape));
 }
 
-// Stiffness of the slots; mass and stiffness of the particles, as sums.
-void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
+// A membrane stretches with its voxels: as stiff as a skin that covers as much of them
+// (MaterialModel). Parts that share a cell of space share what lies in it.
+void add_membranes(const Organ& organ, Model& model) {
   const ModelHead& head = *model.head;
-  const float corner_m3 = head.edge_m * head.edge_m * head.edge_m / 8;
+  for (const OrganMembraneCell& cell : organ.membrane_cells) {
+    std::uint32_t slots[kMaxSheets] = {}, found = 0;
+    for (std::uint32_t y = cell.y; y < organ.size_y && found < kMaxSheets; y += organ.sheet_rows) {
+      const std::uint32_t row = row_at(model, cell.x, y, cell.z);
+      if (row == kNoRow) continue;
+      slots[found++] = model.row[row].slot + cell.x - model.row[row].x0;
+    }
+    const float added_n_per_m = head.material[cell.material].skin_shear_n_per_m * cell.area;
+    for (std::uint32_t i = 0; i < found; ++i) {
+      float& k = model.slot_k[slots[i]];
+      if (!(k > 0)) continue;  // a hole in the row
+      const float before = k;
+      k += added_n_per_m / static_cast<float>(found);
+      model.slot_volume[slots[i]] *= before / k;
+    }
+  }
+}
+
+// Stiffness of the slots.
+void fill_slots(const Organ& organ, Model& model, const Counts& counts) {
+  const ModelHead& head = *model.head;
   for (std::uint32_t i = 0; i < counts.slots; ++i) {
     model.slot_k[i] = model.slot_volume[i] = model.slot_fill[i] = 0;
     model.slot_material[i] = 0;
     model.slot_mixed[i] = kNotMixed;
-  }
-  for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    model.particle_kg[i] = model.hourglass_n_per_m[i] = model.step_per_mass[i] = 0;
   }
   std::uint32_t voxel = 0;
   for (const OrganRun& run : organ.runs) {
@@ -201,13 +219,27 @@ void fill_voxels(const Organ& organ, Model& model, const Counts& counts) {
       if (stiffens(model)) model.slot_stiffening[slot] = m.stiffening;
       model.slot_fill[slot] = fill;
       model.slot_material[slot] = material;
-      const float density = organ_material(organ, material).density_kg_per_m3;
-      for (std::uint32_t corner = 0; corner < 8; ++corner) {
-        const std::uint32_t p = row.node[corner >> 1U] + x - row.x0 + (corner & 1U);
-        model.particle_kg[p] += density * fill * corner_m3;
-        model.hourglass_n_per_m[p] += model.slot_k[slot] * head.hourglass_weight;
-        model.step_per_mass[p] += corner_bound(model, slot);
-      }
+    }
+  }
+  if (has_membranes(model)) add_membranes(organ, model);
+}
+
+// Mass and stiffness of the particles, as sums.
+void fill_particles(const Organ& organ, Model& model, const Counts& counts) {
+  const ModelHead& head = *model.head;
+  const float corner_m3 = head.edge_m * head.edge_m * head.edge_m / 8;
+  for (std::uint32_t i = 0; i < counts.particles; ++i) {
+    model.particle_kg[i] = model.hourglass_n_per_m[i] = model.step_per_mass[i] = 0;
+  }
+  for (std::uint32_t voxel = 0; voxel < counts.voxels; ++voxel) {
+    const Row& row = model.row[model.voxel_row[voxel]];
+    const std::uint32_t slot = model.voxel_slot[voxel];
+    const float density = organ_material(organ, organ.voxel_material[voxel]).density_kg_per_m3;
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
+      model.particle_kg[p] += density * model.slot_fill[slot] * corner_m3;
+      model.hourglass_n_per_m[p] += model.slot_k[slot] * head.hourglass_weight;
+      model.step_per_mass[p] += corner_bound(model, slot);
     }
   }
   float* const sums[] = {model.particle_kg, model.hourglass_n_per_m, model.step_per_mass};
@@ -306,6 +338,10 @@ Status count(const Organ& organ, const Config& config, Counts& counts_out) {
     const bool stiffens = organ_material(organ, i).strain_stiffening > 0;
     if (stiffens) counts_out.stiffening_slots = counts_out.slots;
   }
+  if (!organ.membrane_cells.empty()) {
+    counts_out.membrane_needles = counts_out.needles;
+    counts_out.membrane_tracks = kMaxTracks;
+  }
   return status;
 }
 
@@ -347,7 +383,8 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_lattice(organ, model);
   fill_sheets(organ, model, counts);
   if (counts.filtered_particles != 0) fill_tiles(organ, model);
-  fill_voxels(organ, model, counts);
+  fill_slots(organ, model, counts);
+  fill_particles(organ, model, counts);
   fill_mixed(organ, model);
   fill_masses(organ, model, counts);
   kernel_out = {memory.model.data(), memory.state.data(), memory.scratch.data(), need,

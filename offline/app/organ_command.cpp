@@ -131,6 +131,13 @@ void add_common(CLI::App& command, CommonArguments& a) {
           "times: what lies in all of them stays. The organ is held where it is cut")
       ->type_name("REGION")
       ->allow_extra_args(false);
+  command
+      .add_option("--membrane", a.membranes,
+                  "Surface thinner than a voxel, with its tissue: MESH:TISSUE, in the frame and "
+                  "units of the meshes; or x=MM:TISSUE, also with y and z, a plane through the "
+                  "whole organ. The needle meets it where it lies. Can be given several times")
+      ->type_name("MEMBRANE")
+      ->allow_extra_args(false);
   command.add_option("--materials", a.materials, "TOML file with tissues of your own")
       ->type_name("FILE");
   command

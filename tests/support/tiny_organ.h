@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,12 @@ struct TinyMaterial {
 
 enum Face : std::uint32_t { kLowX = 1, kHighX = 2, kLowY = 4, kHighY = 8, kLowZ = 16, kHighZ = 32 };
 
+// A membrane of this material, as triangles in the rest frame.
+struct TinyMembrane {
+  std::uint16_t material = 0;
+  std::vector<std::array<Vec3, 3>> triangles;
+};
+
 struct TinyOrgan {
   std::uint16_t nx = 8, ny = 8, nz = 8;
   float voxel_edge_m = 0.005F;
@@ -58,7 +65,8 @@ struct TinyOrgan {
   // Whether there is a voxel at (x, y, z); empty: everywhere in the block.
   std::function<bool(std::uint16_t, std::uint16_t, std::uint16_t)> inside;
   std::vector<format::Mixed> mixed;
-  std::uint32_t fixed_faces = 0;  // Face bits: the corners on these faces never move
+  std::vector<TinyMembrane> membranes;  // by rising material
+  std::uint32_t fixed_faces = 0;        // Face bits: the corners on these faces never move
 };
 
 namespace detail {
@@ -196,6 +204,51 @@ inline std::uint8_t fixed_corners(const TinyOrgan& organ, std::uint16_t x, std::
   return static_cast<std::uint8_t>(bits);
 }
 
+// Each triangle in all cells that its box touches: they are more than need be, and have no area, so
+// that only the needle meets the membrane.
+inline flatbuffers::Offset<format::Membranes> membranes_of(flatbuffers::FlatBufferBuilder& builder,
+                                                           const TinyOrgan& organ) {
+  std::vector<format::MembranePoint> points;
+  std::vector<format::Triangle> triangles;
+  std::vector<format::MembraneCell> cells;
+  const auto box_of = [&](const std::array<Vec3, 3>& t) {
+    Box box = {{1e9F, 1e9F, 1e9F}, {-1e9F, -1e9F, -1e9F}};
+    for (const Vec3& p : t) {
+      const float at[3] = {p.x - organ.origin_m.x, p.y - organ.origin_m.y, p.z - organ.origin_m.z};
+      for (int a = 0; a < 3; ++a) {
+        box.low[a] = std::min(box.low[a], at[a] / organ.voxel_edge_m - 0.01F);
+        box.high[a] = std::max(box.high[a], at[a] / organ.voxel_edge_m + 0.01F);
+      }
+    }
+    return box;
+  };
+  for (std::uint16_t z = 0; z < organ.nz; ++z) {
+    for (std::uint16_t y = 0; y < organ.ny; ++y) {
+      for (std::uint16_t x = 0; x < organ.nx; ++x) {
+        for (const TinyMembrane& membrane : organ.membranes) {
+          const auto first = static_cast<std::uint32_t>(triangles.size());
+          for (const std::array<Vec3, 3>& t : membrane.triangles) {
+            const Box box = box_of(t);
+            const std::uint16_t at[3] = {x, y, z};
+            bool touches = true;
+            for (int a = 0; a < 3; ++a) {
+              touches = touches && box.low[a] < static_cast<float>(at[a] + 1) &&
+                        box.high[a] > static_cast<float>(at[a]);
+            }
+            if (!touches) continue;
+            const auto base = static_cast<std::uint32_t>(points.size());
+            for (const Vec3& p : t) points.emplace_back(p.x, p.y, p.z);
+            triangles.emplace_back(base, base + 1, base + 2);
+          }
+          const auto count = static_cast<std::uint32_t>(triangles.size()) - first;
+          if (count > 0) cells.emplace_back(x, y, z, membrane.material, first, count, 0.0F);
+        }
+      }
+    }
+  }
+  return format::CreateMembranesDirect(builder, &points, &triangles, &cells);
+}
+
 inline flatbuffers::Offset<format::Material> material_of(flatbuffers::FlatBufferBuilder& builder,
                                                          const TinyMaterial& m) {
 #define STYLET_AND_WRITE(field, ...) , m.field
@@ -231,13 +284,17 @@ inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
     materials.push_back(detail::material_of(builder, m));
   }
   const detail::Surface surface = detail::surface_of(organ);
+  const bool has_membranes = !organ.membranes.empty();
+  const auto membranes = has_membranes ? detail::membranes_of(builder, organ)
+                                       : flatbuffers::Offset<format::Membranes>();
   format::FinishOrganBuffer(
       builder,
       format::CreateOrganDirect(
-          builder, organ.mixed.empty() ? 1 : 2, "tiny", organ.voxel_edge_m, organ.origin_m.x,
+          builder, has_membranes ? 3 : (organ.mixed.empty() ? 1 : 2), "tiny", organ.voxel_edge_m, organ.origin_m.x,
           organ.origin_m.y, organ.origin_m.z, organ.nx, organ.ny, organ.nz, &runs, &material, &fill,
           fixed.empty() ? nullptr : &fixed, &materials, &surface.vertices, &surface.triangles,
-          &surface.nodes, 0, organ.mixed.empty() ? nullptr : &organ.mixed));
+          &surface.nodes, 0, organ.mixed.empty() ? nullptr : &organ.mixed,
+          0, nullptr, membranes));
   const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
   return {bytes, bytes + builder.GetSize()};
 }

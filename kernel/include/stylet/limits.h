@@ -21,6 +21,11 @@ constexpr std::uint32_t kMaxSheets = 8;
 constexpr std::uint32_t kMaxMaterials = 64;
 constexpr std::uint32_t kMaxVertices = 8'000'000;
 constexpr std::uint32_t kMaxTriangles = 16'000'000;
+// Points of membranes, and triangles in the lists of cells; triangles of all membranes in one cell.
+// A needle's tip that comes through a cell tests each of its triangles.
+constexpr std::uint32_t kMaxMembranePoints = 8'000'000;
+constexpr std::uint32_t kMaxMembraneTriangles = 16'000'000;
+constexpr std::uint32_t kMaxTrianglesPerCell = 256;
 // Largest coordinate of the lattice's origin. A needle comes within 2.5 m of that origin, so every
 // place that matters lies within 8 m of the world's. There floats resolve 0.5 um: a fortieth of the
 // skins that tell contact from rounding (surface.cpp). At 100 m they resolve 8 um.
@@ -117,6 +122,9 @@ constexpr double kMaxRodStiffnessNPerM = 1e6;
 constexpr double kMaxRodPlaceM = 10;
 // How far the tip's roll may lag behind the hand's. Beyond: the shaft slips in the tissue.
 constexpr float kMaxTwistRad = 3.0F;
+// Voxel edges along which the tip's way in a tick is searched for membranes. Reached: the tip stops
+// there, and the rest follows in the next ticks.
+constexpr std::uint32_t kMaxMembraneSteps = 64;
 // Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
 constexpr std::uint32_t kMaxEvents = 64;
 // Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.

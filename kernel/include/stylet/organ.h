@@ -47,6 +47,15 @@ struct OrganPart {
   std::uint64_t quarters;
 };
 
+struct OrganPoint {
+  float x, y, z;
+};
+struct OrganMembraneCell {  // a membrane in a cell of space
+  std::uint16_t x, y, z, material;
+  std::uint32_t first, count;  // of membrane_triangles
+  float area;                  // within the cell, in squares of the edge
+};
+
 struct Organ {
   const void* root = nullptr;  // the FlatBuffers table; only organ.cpp looks inside
   const char* name = nullptr;
@@ -68,6 +77,9 @@ struct Organ {
   std::span<const OrganSphere> spheres;
   std::span<const OrganTie> ties;
   std::span<const OrganPart> parts;
+  std::span<const OrganPoint> membrane_points;
+  std::span<const OrganTriangle> membrane_triangles;
+  std::span<const OrganMembraneCell> membrane_cells;  // sorted by z, y, x, material
   // SHA-256 of all bytes of the file but these 32, or empty (format version 1). Whoever loads a
   // file checks it: the kernel cannot compute a SHA-256.
   std::span<const std::uint8_t> content_sha256;

@@ -3,6 +3,7 @@
 
 #include "coupling/deformation.h"
 #include "coupling/layers.h"
+#include "coupling/membranes.h"
 #include "coupling/return_map.h"
 #include "coupling/spring.h"
 #include "coupling/stiffness.h"
@@ -59,6 +60,50 @@ void enter_material(const Model& model, State& state, Particle& tip) {
   state.head->cutting_j += before - spring_energy(tip);
 }
 
+void take_spring(const Model& model, State& state, Particle& tip, std::uint32_t material) {
+  const std::uint32_t there = tip.material;
+  tip.material = material;
+  enter_material(model, state, tip);
+  tip.material = there;
+  state.needle->spring_layer = material;
+}
+
+// A membrane that holds the tip breaks once it is pressed hard enough.
+void press_membrane(const Model& model, State& state, Particle& tip, Vec3 direction) {
+  const std::uint32_t held = holding_membrane(model, state);
+  if (held == kNoTissue) return;
+  const float axial = dot(force_on_tissue(tip), direction);
+  if (axial < puncture_force(model, state, held, model.forces[held].layer_n)) return;
+  const Vec3 image = pull_back_step(model, gradient_around(model, state, tip), direction);
+  go_through(model, state, (1 / norm(image)) * image);
+  take_spring(model, state, tip, tip.material);
+  const std::uint32_t layer = state.needle->layer;
+  state.needle->layer = held;
+  add_event(state, EventKind::kPuncture, axial);
+  state.needle->layer = layer;
+}
+
+// How much of a slip of the tip by `slip_m` no membrane is in the way of; what is in the way holds
+// the tip from then on.
+float slip_to_membrane(const Model& model, State& state, Particle& tip, Vec3 direction,
+                       float slip_m) {
+  if (!has_membranes(model) || !(slip_m > 0)) return 1;
+  const Vec3 way = pull_back_step(model, gradient_around(model, state, tip), slip_m * direction);
+  const MembraneCrossing free = free_part(model, state, way);
+  note_free(model, state, free.clear * way);
+  if (free.material == kNoTissue) return free.clear;
+  hold_at(model, state, free.material);
+  take_spring(model, state, tip, free.material);
+  return free.clear;
+}
+
+// A tip that moves back, or is outside the tissue, is not held.
+void leave_membrane(const Model& model, State& state, Particle& tip) {
+  const bool held = holding_membrane(model, state) != kNoTissue;
+  let_go(model, state);
+  if (held && tip.support_count > 0) take_spring(model, state, tip, tip.material);
+}
+
 // The tip has reached another material. A layer that must be punctured holds the tip until it is
 // pressed hard enough, except a layer it has been through before: in a track, or on the way back.
 void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction, bool in_track) {
@@ -86,11 +131,15 @@ void enter_layer(const Model& model, State& state, Particle& tip, Vec3 direction
 }
 
 // Force that the tip may carry: nothing when pulled, the cutting force when pushed into new tissue,
-// a fraction of it in an existing track, the puncture force at a layer that holds the tip.
+// a fraction of it in an existing track, the puncture force at a layer or membrane that holds it.
 float tip_limit(const Model& model, const State& state, const Particle& tip, bool in_track) {
   const NeedleForces& f = model.forces[tip.material];
-  if (in_track) return f.recut_n;
   const float cut_n = cutting_n(f, tip.slip_m_per_s);
+  const std::uint32_t held = holding_membrane(model, state);
+  if (held != kNoTissue) {
+    return max_of(puncture_force(model, state, held, model.forces[held].layer_n), cut_n);
+  }
+  if (in_track) return f.recut_n;
   if (tip.material == state.needle->layer) return cut_n;
   return max_of(puncture_force(model, state, tip.material, f.layer_n), cut_n);
 }
@@ -113,13 +162,22 @@ void cut_tip(const Model& model, State& state, const Needle& needle, float moved
   float all = move;
   if (tip.support_count > 0) {
     const bool in_track = tip.track_m < own.track_end_m;
-    enter_layer(model, state, tip, direction, in_track);
+    press_membrane(model, state, tip, direction);
+    if (holding_membrane(model, state) == kNoTissue) {
+      enter_layer(model, state, tip, direction, in_track);
+    }
     const float axial = dot(force_on_tissue(tip), direction);
     move = overshoot(model, tip, axial, 0, tip_limit(model, state, tip, in_track));
     all = move + renew(model, tip, direction, move, moved_m, state.head->cutting_j);
+    const float part = slip_to_membrane(model, state, tip, direction, all);
+    move *= part;
+    all *= part;
+  } else {
+    leave_membrane(model, state, tip);
   }
   const Vec3 cut = turn_cut(model, state, needle, 0.5F * all);
   advance_tip(model, state, tip, cut, all);
+  if (all < 0) leave_membrane(model, state, tip);
   own.cut = cut;  // half of the turn is done before the advance
   own.cut = turn_cut(model, state, needle, 0.5F * all);
   note_slip(head, tip, all);
@@ -151,7 +209,11 @@ void cut_after_step(const Model& model, State& state) {
   const float before_n = dot(tip.force_n, own.cut);
   const float back_m = max_of(-dot(tip.slip_m, own.cut), 0);
   const float high_n = clamp(before_n - back_m * tip.stiffness_n_per_m, 0, limit);
-  const float move = overshoot(model, tip, before_n, -limit, high_n);
+  float move = overshoot(model, tip, before_n, -limit, high_n);
+  if (move > 0 && has_membranes(model)) {
+    const Gradient g = gradient_around(model, state, tip);
+    move *= free_part(model, state, pull_back_step(model, g, move * own.cut)).clear;
+  }
   if (move == 0) return;
   advance_tip(model, state, tip, own.cut, move);
   tip.slip_m = tip.slip_m + move * own.cut;

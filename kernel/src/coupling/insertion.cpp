@@ -3,6 +3,7 @@
 
 #include "coupling/contact_spring.h"
 #include "coupling/friction.h"
+#include "coupling/membranes.h"
 #include "coupling/shaft.h"
 #include "coupling/spring.h"
 #include "coupling/stiffness.h"
@@ -62,6 +63,7 @@ void begin_insertion(const Model& model, State& state, Scratch& scratch, const N
   enter_track(model, state, scratch, needle,
               again ? track : remember_track(state, tip.rest_m, rest_direction), 0,
               new_particle(model, state, needle, tip.rest_m, place, 0, behind, Role::kShaft));
+  start_membranes(model, state, rest_direction, again);
   change_spring(model, state, needle, force_n);
   own.phase = Phase::kInserted;
   add_event(state, again ? EventKind::kReentry : EventKind::kPuncture, force_n);
@@ -70,6 +72,7 @@ void begin_insertion(const Model& model, State& state, Scratch& scratch, const N
 void take_in(const Model& model, State& state, Scratch& scratch, const Needle& needle,
              std::uint32_t track, const Particle& entry) {
   enter_track(model, state, scratch, needle, track, state.tip->track_m, entry);
+  start_membranes(model, state, {}, true);
   state.needle->phase = Phase::kRetracting;
   (void)drop_shaft(model, state, scratch, needle);
   gather_friction(model, state, entry.rest_m, 0);

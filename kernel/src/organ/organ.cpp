@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "organ/runs.h"
-#include "organ/triangle.h"
 #include "organ_generated.h"
 #include "stylet/limits.h"
 
@@ -24,8 +23,11 @@ static_assert(sizeof(OrganMixed) == sizeof(format::Mixed));
 static_assert(sizeof(OrganSphere) == sizeof(format::SphereNode));
 static_assert(sizeof(OrganTie) == sizeof(format::Tie));
 static_assert(sizeof(OrganPart) == sizeof(format::Part));
+static_assert(sizeof(OrganPoint) == sizeof(format::MembranePoint));
+static_assert(sizeof(OrganMembraneCell) == sizeof(format::MembraneCell));
 
-constexpr std::uint32_t kNewestFormat = 2;
+constexpr std::uint32_t kNewestFormat = 3;
+constexpr float kMaxPointM = 8;  // every place that matters is nearer: see kMaxOriginM
 
 // Keeps the first refusal, so that every check below reads as one line; later checks do not run.
 struct Checker {
@@ -224,7 +226,7 @@ bool check_spheres(Checker& check, const Organ& organ) {
   return check_depth(check, organ);
 }
 
-template <typename Place>  // OrganTie, OrganPart
+template <typename Place>  // OrganTie, OrganPart, OrganMembraneCell
 constexpr std::uint64_t order_of(const Place& at) {
   return (static_cast<std::uint64_t>(at.z) << 32U) | (static_cast<std::uint64_t>(at.y) << 16U) |
          at.x;
@@ -294,6 +296,71 @@ bool check_sheets(Checker& check, const Organ& organ, std::uint32_t version) {
   return check_ties(check, organ) && check_parts(check, organ);
 }
 
+bool check_membrane_lists(Checker& check, const Organ& organ) {
+  for (std::size_t i = 0; i < organ.membrane_points.size(); ++i) {
+    const OrganPoint& p = organ.membrane_points[i];
+    for (const float place_m : {p.x, p.y, p.z}) {
+      if (!check.in_range(place_m, -kMaxPointM, kMaxPointM, "membranes.points", i, "within 8 m")) {
+        return false;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < organ.membrane_triangles.size(); ++i) {
+    const OrganTriangle& t = organ.membrane_triangles[i];
+    for (const std::uint32_t corner : {t.a, t.b, t.c}) {
+      if (!check.require(corner < organ.membrane_points.size(), Status::kOrganIndexOutOfRange,
+                         "membranes.triangles", i, corner, "three indices into points")) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Cells are in space, sorted, one for each membrane in them, with few enough triangles for a tick.
+bool check_membrane_cells(Checker& check, const Organ& organ) {
+  std::uint64_t last_place = 0, triangles = 0;
+  for (std::size_t i = 0; i < organ.membrane_cells.size(); ++i) {
+    const OrganMembraneCell& c = organ.membrane_cells[i];
+    const std::uint64_t place = order_of(c);
+    const bool same = i > 0 && place == last_place;
+    triangles = (same ? triangles : 0) + c.count;
+    if (!check.require(c.x < organ.size_x && c.y < organ.sheet_rows && c.z < organ.size_z,
+                       Status::kOrganIndexOutOfRange, "membranes.cells", i, c.x,
+                       "a cell of the lattice") ||
+        !check.require(
+            i == 0 || place > last_place ||
+                (same && c.material > organ.membrane_cells[i - 1].material),
+            Status::kOrganOrderWrong, "membranes.cells", i, c.x, "cells sorted by z, y, x, material") ||
+        !check.require(c.material < organ.material_count, Status::kOrganIndexOutOfRange,
+                       "membranes.cells.material", i, c.material, "an index into materials") ||
+        !check.require(c.count > 0 && std::uint64_t{c.first} + c.count <=
+                                          organ.membrane_triangles.size(),
+                       Status::kOrganIndexOutOfRange, "membranes.cells.first", i, c.first,
+                       "triangles of the list, at least 1") ||
+        !check.require(triangles <= kMaxTrianglesPerCell, Status::kOrganValueOutOfRange,
+                       "membranes.cells.count", i, static_cast<double>(triangles),
+                       "at most 256 triangles in a cell") ||
+        !check.in_range(c.area, 0, kMaxTrianglesPerCell, "membranes.cells.area", i, "0 to 256")) {
+      return false;
+    }
+    last_place = place;
+  }
+  return true;
+}
+
+bool check_membranes(Checker& check, const Organ& organ, std::uint32_t version) {
+  if (static_cast<const format::Organ*>(organ.root)->membranes() == nullptr) return true;
+  return check.require(version >= 3, Status::kOrganVersionUnknown, "membranes", 0, version,
+                       "format version 3 where there are membranes") &&
+         check.require(organ.membrane_points.size() <= kMaxMembranePoints &&
+                           organ.membrane_triangles.size() <= kMaxMembraneTriangles,
+                       Status::kOrganValueOutOfRange, "membranes.points", 0,
+                       static_cast<double>(organ.membrane_points.size()),
+                       "at most 8000000 points, 16000000 triangles") &&
+         check_membrane_lists(check, organ) && check_membrane_cells(check, organ);
+}
+
 bool check_lattice_header(Checker& check, const Organ& organ) {
   return check.require(organ.content_sha256.empty() || organ.content_sha256.size() == 32,
                        Status::kOrganSizesDisagree, "content_sha256", 0,
@@ -351,6 +418,11 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
     organ.ties = view<OrganTie>(sheets->ties());
     organ.parts = view<OrganPart>(sheets->parts());
   }
+  if (const format::Membranes* membranes = root.membranes()) {
+    organ.membrane_points = view<OrganPoint>(membranes->points());
+    organ.membrane_triangles = view<OrganTriangle>(membranes->triangles());
+    organ.membrane_cells = view<OrganMembraneCell>(membranes->cells());
+  }
   return organ;
 }
 
@@ -372,12 +444,13 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
       const format::Organ& root = *format::GetOrgan(data);
       const std::uint32_t version = root.format_version();
       if (check.require(version >= 1 && version <= kNewestFormat, Status::kOrganVersionUnknown,
-                        "format_version", 0, version, "version 1 or 2")) {
+                        "format_version", 0, version, "version 1, 2 or 3")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
                check_sheets(check, organ, version) && check_materials(check, organ) &&
                check_voxels(check, organ) && check_mixed(check, organ, version) &&
-               check_surface(check, organ) && check_spheres(check, organ));
+               check_surface(check, organ) && check_spheres(check, organ) &&
+               check_membranes(check, organ, version));
       }
     }
   }
@@ -394,69 +467,5 @@ Material organ_material(const Organ& organ, std::uint32_t index) {
           STYLET_MATERIAL_NUMBERS(STYLET_STORED)};
 }
 #undef STYLET_STORED
-
-namespace {
-
-// Lattice coordinates of a voxel, by walking the runs: callers only ask for a few triangles.
-Vec3 voxel_low_corner(const Organ& organ, std::uint32_t voxel) {
-  std::uint32_t first = 0;
-  for (const OrganRun& run : organ.runs) {
-    if (voxel < first + run.count) {
-      return {static_cast<float>(run.x + (voxel - first)),
-              static_cast<float>(run.y % organ.sheet_rows), static_cast<float>(run.z)};
-    }
-    first += run.count;
-  }
-  return {};
-}
-
-Vec3 vertex_rest(const Organ& organ, std::uint32_t index) {
-  const OrganVertex& v = organ.vertices[index];
-  return rest_place(organ, voxel_low_corner(organ, v.voxel), v);
-}
-
-bool near_ray(const OrganSphere& sphere, Vec3 origin_m, Vec3 direction) {
-  const Vec3 to = Vec3{sphere.x, sphere.y, sphere.z} - origin_m;
-  const float along = max_of(dot(to, direction), 0);
-  const Vec3 gap = to - along * direction;
-  return dot(gap, gap) <= sphere.radius * sphere.radius;
-}
-
-}  // namespace
-
-Vec3 organ_vertex_place(const Organ& organ, std::uint32_t voxel_x, std::uint32_t voxel_y,
-                        std::uint32_t voxel_z, const OrganVertex& vertex) {
-  const Vec3 voxel = {static_cast<float>(voxel_x), static_cast<float>(voxel_y),
-                      static_cast<float>(voxel_z)};
-  return rest_place(organ, voxel, vertex);
-}
-
-bool organ_raycast(const Organ& organ, Vec3 origin_m, Vec3 direction, float& distance_out_m) {
-  bool found = false;
-  std::uint32_t stack[kMaxTreeDepth];
-  std::uint32_t top = 0;
-  if (!organ.spheres.empty()) stack[top++] = 0;
-  while (top > 0) {
-    const OrganSphere& node = organ.spheres[stack[--top]];
-    if (!near_ray(node, origin_m, direction)) continue;
-    if (node.count == 0) {
-      stack[top++] = node.first + 1;
-      stack[top++] = node.first;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const OrganTriangle& t = organ.triangles[i];
-      float at = 0, u = 0, v = 0;
-      if (!hit_triangle(origin_m, direction, vertex_rest(organ, t.a), vertex_rest(organ, t.b),
-                        vertex_rest(organ, t.c), at, u, v) ||
-          at < 0 || (found && at >= distance_out_m)) {
-        continue;
-      }
-      found = true;
-      distance_out_m = at;
-    }
-  }
-  return found;
-}
 
 }  // namespace stylet

@@ -92,6 +92,7 @@ State needle_state(const State& state, std::uint32_t needle) {
   out.rod_shape += n;
   out.node += n * (kMaxRods + 1);
   out.touch += n * kMaxTouches;
+  out.membrane += n;
   return out;
 }
 

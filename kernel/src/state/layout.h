@@ -39,6 +39,7 @@ struct Counts {
   std::uint32_t sheets, ties;
   std::uint32_t stiffening_slots;  // zero if no tissue stiffens
   std::uint32_t needles;
+  std::uint32_t membrane_needles, membrane_tracks;  // zero if no membrane is met
   // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
   // of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
@@ -135,6 +136,18 @@ constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
 struct Track {
   Vec3 entry_rest_m, direction_rest;
   float length_m;
+};
+
+// What a needle's tip has met of membranes (coupling/membranes.h), and what of them a track has
+// gone through. Materials plus 1; 0: none.
+struct MembraneState {
+  Vec3 clear_m;  // rest frame: no membrane lies between here and the tip
+  std::uint32_t held;
+};
+struct TrackMembranes {
+  float open_m;    // the track has been cut up to here
+  float passed_m;  // where the last membrane was punctured
+  std::uint32_t passed;
 };
 
 struct NeedleState {
@@ -322,7 +335,11 @@ struct ScratchHead {
   /* track: holes in the tissue; written by coupling/track and insertion */               \
   F(track, Track, kMaxTracks)                                                             \
   /* event: the last kMaxEvents events, a ring; written by state/events */                \
-  F(event, Event, kMaxEvents)
+  F(event, Event, kMaxEvents)                                                             \
+  /* membrane: what each tip has met of membranes; written by coupling/membranes */       \
+  F(membrane, MembraneState, c.membrane_needles)                                          \
+  /* track_membranes: what of them each track has gone through; likewise */               \
+  F(track_membranes, TrackMembranes, c.membrane_tracks)
 
 #define STYLET_SCRATCH_FIELDS(F)                                                      \
   /* head: counts of this tick */                                                     \
@@ -393,7 +410,7 @@ class Field {
 
 // A function's signature says what it may write. `const Model&`: derived at creation, constant in a
 // tick. `State&`: what a tick leaves to the next one. `Scratch&`: what it keeps within itself. The
-// fields of one needle (rod, forces; needle, shaft, tip, rod_shape, node, touch) are
+// fields of one needle (rod, forces; needle, shaft, tip, rod_shape, node, touch, membrane) are
 // `needle_index`'s.
 #define STYLET_FIELD(name, type, count) Field<type> name;
 struct Model {
@@ -429,6 +446,9 @@ struct View {
 };
 inline bool stiffens(const Model& model) {
   return model.head->counts.stiffening_slots != 0;
+}
+inline bool has_membranes(const Model& model) {
+  return model.head->counts.membrane_needles != 0;
 }
 inline bool has_true_mass(const Model& model) {
   return model.head->counts.filtered_particles != 0;

@@ -191,6 +191,14 @@ bool sound(const Limits& is, const Track& t, std::size_t) {
   return is.number(t.entry_rest_m) && is.number(t.direction_rest) && is.number(t.length_m);
 }
 
+bool sound(const Limits& is, const MembraneState& m, std::size_t) {
+  return is.number(m.clear_m) && m.held <= is.head().material_count;
+}
+
+bool sound(const Limits& is, const TrackMembranes& t, std::size_t) {
+  return is.number(t.open_m) && is.number(t.passed_m) && t.passed <= is.head().material_count;
+}
+
 bool sound(const Limits& is, const Event& e, std::size_t) {
   return e.kind <= EventKind::kObstacle && is.layer(e.layer) && is.number(e.depth_m) &&
          is.number(e.force_n) && e.needle < is.head().counts.needles && e.reserved == 0;

@@ -14,7 +14,7 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint32_t kFormatVersion = 2;
+constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3;
 
 // Our plain structs and the generated structs have the same bytes.
 template <typename Theirs, typename Mine>
@@ -71,6 +71,13 @@ Offset<format::Sheets> write_sheets(FlatBufferBuilder& builder, const OrganParts
                               cell_parts);
 }
 
+Offset<format::Membranes> write_membranes(FlatBufferBuilder& builder, const MembraneLists& m) {
+  const auto points = write_structs<format::MembranePoint>(builder, m.points);
+  const auto triangles = write_structs<format::Triangle>(builder, m.triangles);
+  const auto cells = write_structs<format::MembraneCell>(builder, m.cells);
+  return format::CreateMembranes(builder, points, triangles, cells);
+}
+
 void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   std::vector<Offset<format::Material>> materials;
   for (const Tissue& t : parts.materials) {
@@ -92,16 +99,19 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto provenance = write_provenance(builder, parts);
   const bool has_sheets = parts.sheets > 1;
   const auto sheets = has_sheets ? write_sheets(builder, parts) : Offset<format::Sheets>();
+  const bool has_membranes = !parts.membranes.cells.empty();
+  const auto membranes = has_membranes ? write_membranes(builder, parts.membranes)
+                                       : Offset<format::Membranes>();
   const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   format::FinishOrganBuffer(
       builder,
-      format::CreateOrgan(builder, kFormatVersion, name, f(parts.edge_m), f(parts.origin_m.x),
+      format::CreateOrgan(builder, has_membranes ? kWithMembranes : kFormatVersion, name, f(parts.edge_m), f(parts.origin_m.x),
                           f(parts.origin_m.y), f(parts.origin_m.z), u(parts.size_x),
                           u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs, voxel_material,
                           voxel_fill, voxel_fixed, material_list, vertices, triangles, spheres,
-                          provenance, mixed, sheets, seal));
+                          provenance, mixed, sheets, seal, membranes));
 }
 
 }  // namespace

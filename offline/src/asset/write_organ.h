@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asset/materials.h"
+#include "asset/membranes.h"
 #include "asset/sphere_tree.h"
 #include "base/geometry.h"
 #include "stylet/organ.h"
@@ -41,6 +42,7 @@ struct OrganParts {
   std::vector<OrganVertex> vertices;
   std::vector<Triangle> triangles;
   std::vector<OrganSphere> spheres;
+  MembraneLists membranes;
   std::string tool_version;
   std::string options;
   std::vector<SourceRecord> sources;

@@ -95,6 +95,7 @@ void check_names(const Source& source, const Recipe& recipe) {
   for (const LabelGroup& group : recipe.groups) check(group.labels);
   for (const NamedLabels& body : recipe.obstacles) check(body.labels);
   for (const NamedLabels& body : recipe.targets) check(body.labels);
+  for (const NamedLabels& border : recipe.membranes) check(border.labels);
 }
 
 double number_of(const std::string& file, const char* key, const toml::node& node, double most) {
@@ -269,11 +270,12 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
   Recipe recipe;
   for (const auto& [key, node] : root) {
     constexpr std::string_view kTables[] = {"names", "tissues", "crop",      "surface",
-                                            "wall",  "contact", "obstacles", "targets"};
+                                            "wall",  "contact", "obstacles", "targets",
+                                            "membranes"};
     if (std::find(std::begin(kTables), std::end(kTables), key.str()) == std::end(kTables)) {
       refuse(
           "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [contact], "
-          "[obstacles] or [targets]",
+          "[obstacles], [targets] or [membranes]",
           place_of(file, node), key.str());
     }
   }
@@ -283,7 +285,8 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
   if (root.contains("contact")) read_contact(file, table_of(file, root, "contact"), recipe);
   if (root.contains("wall")) recipe.wall = read_wall(file, *root.get("wall"));
   for (const auto& [key, list] :
-       {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets}}) {
+       {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets},
+        std::pair{"membranes", &recipe.membranes}}) {
     if (root.contains(key)) *list = read_named(source, table_of(file, root, key), recipe);
   }
   if (root.contains("targets")) check_targets(file, table_of(file, root, "targets"));

@@ -27,6 +27,9 @@
 //   [obstacles]        # optional: bodies no needle enters, each the convex hull of some labels
 //   rib = ["rib_right_9"]
 //
+//   [membranes]        # optional: a tissue thinner than a voxel, around these labels where they
+//   dura = ["csf"]     # border on other tissues
+//
 //   [targets]          # optional: what the needle is to reach; its labels may also be a tissue
 //   lesion = [2]
 //
@@ -72,6 +75,7 @@ struct Recipe {
   bool open_gaps = false;
   std::vector<NamedLabels> obstacles = {};  // their labels are not in a tissue
   std::vector<NamedLabels> targets = {};
+  std::vector<NamedLabels> membranes = {};  // by tissue
 };
 
 // Names that the file of a label map gives to its labels; may be empty.

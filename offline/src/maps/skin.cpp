@@ -7,9 +7,11 @@ namespace {
 // The faces between chosen voxels and others, their corners counter-clockwise from outside.
 class SkinMaker {
  public:
-  SkinMaker(const LabelMap& map, const Groups& groups)
+  // `beyond`: only faces to these voxels; null: all faces.
+  SkinMaker(const LabelMap& map, const Groups& groups, const Groups* beyond)
       : map_(map),
         groups_(groups),
+        beyond_(beyond),
         number_((std::size_t{map.size[0]} + 1) * (map.size[1] + 1) * (map.size[2] + 1), kNone),
         mirrored_(dot(map.step_m[0], cross(map.step_m[1], map.step_m[2])) < 0) {}
 
@@ -18,7 +20,7 @@ class SkinMaker {
     for (at[2] = 0; at[2] < map_.size[2]; ++at[2]) {
       for (at[1] = 0; at[1] < map_.size[1]; ++at[1]) {
         for (at[0] = 0; at[0] < map_.size[0]; ++at[0]) {
-          if (is_chosen(at)) add_faces(at);
+          if (is_chosen(groups_, at)) add_faces(at);
         }
       }
     }
@@ -28,12 +30,12 @@ class SkinMaker {
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  bool is_chosen(const std::array<std::int64_t, 3>& at) const {
+  bool is_chosen(const Groups& groups, const std::array<std::int64_t, 3>& at) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (at[axis] < 0 || at[axis] >= map_.size[axis]) return false;
     }
-    return groups_[static_cast<std::size_t>((at[2] * map_.size[1] + at[1]) * map_.size[0] +
-                                            at[0])] != 0;
+    return groups[static_cast<std::size_t>((at[2] * map_.size[1] + at[1]) * map_.size[0] +
+                                           at[0])] != 0;
   }
 
   void add_faces(const std::array<std::int64_t, 3>& at) {
@@ -41,7 +43,8 @@ class SkinMaker {
       for (const std::int64_t side : {0, 1}) {
         std::array<std::int64_t, 3> beyond = at;
         beyond[axis] += side == 1 ? 1 : -1;
-        if (!is_chosen(beyond)) add_face(at, axis, side);
+        if (is_chosen(groups_, beyond)) continue;
+        if (beyond_ == nullptr || is_chosen(*beyond_, beyond)) add_face(at, axis, side);
       }
     }
   }
@@ -77,6 +80,7 @@ class SkinMaker {
 
   const LabelMap& map_;
   const Groups& groups_;
+  const Groups* beyond_;
   std::vector<std::uint32_t> number_;  // number of the point at each corner of the map's voxels
   bool mirrored_;                      // the map's indices are left-handed
   Skin skin_;
@@ -104,7 +108,11 @@ void relax(Skin& skin, double share) {
 }  // namespace
 
 Skin label_skin(const LabelMap& map, const Groups& groups) {
-  return SkinMaker(map, groups).make();
+  return SkinMaker(map, groups, nullptr).make();
+}
+
+Skin label_border(const LabelMap& map, const Groups& inside, const Groups& tissue) {
+  return SkinMaker(map, inside, &tissue).make();
 }
 
 void smooth(Skin& skin, int rounds) {

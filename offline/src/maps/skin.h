@@ -19,6 +19,9 @@ struct Skin {
 // The surface of all groups together, corners counter-clockwise seen from outside.
 Skin label_skin(const LabelMap& map, const Groups& groups);
 
+// The part of the surface of `inside` beyond which there is tissue as well: a border in the organ.
+Skin label_border(const LabelMap& map, const Groups& inside, const Groups& tissue);
+
 Mesh triangles_of(const Skin& skin);
 
 // Taubin 1995: shrinks and swells in turn, which removes steps and keeps the volume.

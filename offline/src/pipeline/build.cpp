@@ -7,6 +7,7 @@
 
 #include "base/most_off.h"
 #include "base/refusal.h"
+#include "pipeline/membranes.h"
 #include "pipeline/pieces.h"
 #include "pipeline/voxel_materials.h"
 #include "pipeline/wrapping.h"
@@ -451,6 +452,7 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
                              {owner_of_voxel, parts.voxel_material, layers}, numbers);
   warn_of_losses(held_volumes(lattice, parts.mixed, of_voxel.given), edge_m, given, materials,
                  warnings);
+  parts.membranes = place_membranes(options.membranes, lattice, materials, warnings);
   parts.materials = std::move(materials.tissues);
   parts.voxel_fixed = fixed_corners(lattice, claimed, options.held);
   embed_surface(claimed.mesh, lattice, parts);
@@ -458,6 +460,7 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   parts.tool_version = options.tool_version;
   parts.options = options.options_text;
   parts.sources = std::move(claimed.sources);
+  std::ranges::move(membrane_records(options.membranes), std::back_inserter(parts.sources));
   progress("writing", 0);
   return write_organ(parts);
 }

@@ -32,6 +32,18 @@ struct Input {
   ReadMesh read;  // in file units
 };
 
+// A surface thinner than a voxel, of a tissue of its own (pipeline/membranes.h).
+struct Membrane {
+  std::string from;  // file, plane, or labels
+  std::string tissue;
+  bool is_plane = false;
+  std::size_t axis = 0;  // of a plane
+  double at_m = 0;
+  Mesh mesh_m;  // of others
+  double metres_per_unit = 1;
+  std::string sha256;  // of a file
+};
+
 struct BuildOptions {
   std::string name;
   double voxel_edge_m = 5e-3;
@@ -48,6 +60,7 @@ struct BuildOptions {
   std::vector<Region> crop;  // keep only what lies in all of these
   std::vector<Layer> layers;
   LayerCourse layer_course;
+  std::vector<Membrane> membranes;
   std::vector<Tissue> own_tissues;
   bool measured = false;     // fill in what a quality report asks for
   std::string options_text;  // these options as text, for the provenance in the file

@@ -173,10 +173,37 @@ void measure_shares(const Claims& claims, const LabelMap& map, const Groups& gro
   }
 }
 
+// The membranes of the recipe: smoothed as the surface is.
+void add_membranes(const LabelMap& map, const Groups& groups, const Recipe& recipe,
+                   std::vector<Membrane>& membranes, std::vector<std::string>& warnings) {
+  for (const NamedLabels& border : recipe.membranes) {
+    Groups inside(map.label.size(), 0);
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      const bool wanted = std::find(border.labels.begin(), border.labels.end(), map.label[i]) !=
+                          border.labels.end();
+      inside[i] = wanted ? 1 : 0;
+    }
+    Skin skin = label_border(map, inside, groups);
+    if (skin.quads.empty()) {
+      warnings.push_back(fmt::format(
+          "membrane {}: its labels border on no other tissue: expected labels in the map that do",
+          border.name));
+      continue;
+    }
+    smooth(skin, recipe.smoothing);
+    Membrane membrane;
+    membrane.from = "labels";
+    membrane.tissue = border.name;
+    membrane.mesh_m = triangles_of(skin);
+    membranes.push_back(std::move(membrane));
+  }
+}
+
 }  // namespace
 
 Built build_labels(const std::string& path, const LabelMap& whole, const Recipe& as_read,
-                   const BuildOptions& options, const Progress& progress) {
+                   const BuildOptions& as_given, const Progress& progress) {
+  BuildOptions options = as_given;
   const bool crops = !as_read.crop_around.empty(), has_wall = !as_read.wall.empty();
   Recipe recipe = as_read;
   LabelMap part = has_wall ? whole : LabelMap{};
@@ -197,6 +224,7 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   for (const Vec& point : skin.points) grow(claimed.box, point);
   if (options.measured) built.input_m = triangles_of(skin);
   smooth(skin, recipe.smoothing);
+  add_membranes(map, groups, recipe, options.membranes, built.report.warnings);
   progress("thinning the surface", 0);
   claimed.mesh = with_fewer_triangles(triangles_of(skin), recipe.most_triangles);
   for (const Vec& point : claimed.mesh.points) grow(claimed.box, point);

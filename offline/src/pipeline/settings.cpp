@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/refusal.h"
+#include "pipeline/membranes.h"
 #include "voxels/crop.h"
 
 namespace stylet::offline {
@@ -88,12 +89,19 @@ BuildOptions common_options(const Settings& s, double metres_per_unit) {
   options.held = parse_regions(s.fix, metres_per_unit);
   options.crop = parse_crop(s.crop);
   if (!s.materials.empty()) options.own_tissues = read_tissues(s.materials);
+  options.membranes = parse_membranes(s.membranes, metres_per_unit);
+  for (const Membrane& membrane : options.membranes) {
+    (void)find_tissue(options.own_tissues, membrane.tissue);
+  }
   options.tool_version = tool_version();
   options.options_text = s.voxels_across > 0 ? fmt::format("--voxels-across {}", s.voxels_across)
                          : !s.fit.empty()    ? "--fit " + s.fit
                                              : fmt::format("--voxel-mm {}", s.voxel_mm);
   for (const std::string& fix : s.fix) options.options_text += " --fix " + without_folder(fix);
   for (const std::string& crop : s.crop) options.options_text += " --crop " + crop;
+  for (const Membrane& membrane : options.membranes) {
+    options.options_text += fmt::format(" --membrane {}:{}", membrane.from, membrane.tissue);
+  }
   if (!s.materials.empty()) {
     options.options_text +=
         " --materials " + std::filesystem::path(s.materials).filename().string();
@@ -140,6 +148,9 @@ void choose_for_labels(const Settings& s, const LabelSource& source, const Recip
                        BuildOptions& options) {
   const std::vector<std::string> tissues = names_of_tissues(recipe.groups);
   for (const std::string& tissue : tissues) (void)tissue_of_recipe(options, source, tissue);
+  for (const NamedLabels& border : recipe.membranes) {
+    (void)tissue_of_recipe(options, source, border.name);
+  }
   for (const WallLayer& layer : recipe.wall) {
     options.wall.push_back(tissue_of_recipe(options, source, layer.tissue));
   }

@@ -26,6 +26,7 @@ struct Settings {
   std::vector<std::string> layers;  // each TISSUE:MM
   std::string layers_of;
   std::string layers_along = "+x";
+  std::vector<std::string> membranes;  // each MESH:TISSUE or x=MM:TISSUE
   std::string fill_gaps;  // TISSUE:MM
   bool split_gaps = false;
   // Of meshes.

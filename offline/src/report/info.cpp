@@ -61,17 +61,41 @@ Json byte_facts(const Organ& organ, std::size_t total) {
                               organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes() +
                               organ.mixed.size_bytes() + organ.ties.size_bytes() +
                               organ.parts.size_bytes();
+  const std::size_t membranes = organ.membrane_points.size_bytes() +
+                                organ.membrane_triangles.size_bytes() +
+                                organ.membrane_cells.size_bytes();
   const std::size_t known = lattice + organ.vertices.size_bytes() + organ.triangles.size_bytes() +
-                            organ.spheres.size_bytes();
+                            organ.spheres.size_bytes() + membranes;
   Json facts{{"total", total},
              {"lattice", lattice},
              {"vertices", organ.vertices.size_bytes()},
              {"triangles", organ.triangles.size_bytes()},
              {"sphere_tree", organ.spheres.size_bytes()},
+             {"membranes", membranes},
              {"materials_provenance_and_tables", total - known},
              {"lattice_per_voxel", static_cast<double>(lattice) / organ.voxel_count}};
   facts["per_vertex"] = organ.vertices.empty() ? 0 : sizeof(OrganVertex);
   return facts;
+}
+
+// Each membrane's tissue, the cells of space that it passes through, and its area in them.
+Json membrane_facts(const Organ& organ) {
+  Json list = Json::array();
+  for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+    double squares = 0;
+    std::size_t cells = 0;
+    for (const OrganMembraneCell& cell : organ.membrane_cells) {
+      if (cell.material != i) continue;
+      ++cells;
+      squares += static_cast<double>(cell.area);
+    }
+    if (cells == 0) continue;
+    const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
+    list.push_back({{"tissue", organ_material(organ, i).name},
+                    {"cells", cells},
+                    {"area_cm2", squares * edge_mm * edge_mm * 1e-2}});
+  }
+  return list;
 }
 
 // Voxels share corners, and each is to be counted once: so all held corners are collected as places
@@ -179,6 +203,7 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
           {"surface_triangles", organ.triangles.size()},
           {"sphere_nodes", organ.spheres.size()},
           {"materials", material_facts(organ)},
+          {"membranes", membrane_facts(organ)},
           {"bytes", byte_facts(organ, bytes.size())},
           {"kernel_memory", kernel_facts(organ)},
           {"provenance", provenance_facts(root)}};
@@ -206,6 +231,11 @@ std::string organ_text(const nlohmann::ordered_json& f) {
         m["name"].get<std::string>(), m["voxels"].get<std::size_t>(), m["volume_ml"].get<double>(),
         m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(),
         stiffening > 0 ? fmt::format("  stiffening {:.3g}", stiffening) : "", forces_text(m));
+  }
+  for (const auto& m : f["membranes"]) {
+    text += fmt::format("membrane      {:<14} {:>8} voxels {:>9.4g} cm2\n",
+                        m["tissue"].get<std::string>(), m["cells"].get<std::size_t>(),
+                        m["area_cm2"].get<double>());
   }
   const auto& b = f["bytes"];
   text += fmt::format(

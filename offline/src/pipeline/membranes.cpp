@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/membranes.h"
+
+#include <charconv>
+#include <filesystem>
+
+#include "base/most_off.h"
+#include "base/refusal.h"
+#include "meshes/distance.h"
+#include "meshes/read_mesh.h"
+#include "meshes/simplify.h"
+#include "stylet/limits.h"
+
+namespace stylet::offline {
+namespace {
+
+// x=MM, y=MM or z=MM.
+bool is_plane(const std::string& from) {
+  return from.size() > 2 && from[0] >= 'x' && from[0] <= 'z' && from[1] == '=';
+}
+
+double plane_m(const std::string& text, const std::string& from) {
+  double mm = 0;
+  const char* const end = from.data() + from.size();
+  const auto [read, error] = std::from_chars(from.data() + 2, end, mm);
+  if (error != std::errc{} || read != end) {
+    refuse("--membrane '{}': expected MESH:TISSUE, or x=MM:TISSUE, also with y and z", text);
+  }
+  return mm * 1e-3;
+}
+
+// A rectangle through all of the lattice.
+Mesh plane_through(std::size_t axis, double at_m, const CellGrid& grid) {
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto extent = [&](std::size_t a) { return grid.edge_m * grid.size[a]; };
+  Mesh mesh;
+  for (const auto& [along_u, along_v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+    std::array<double, 3> p{};
+    p[axis] = at_m;
+    p[u] = grid.origin_m[u] + along_u * extent(u);
+    p[v] = grid.origin_m[v] + along_v * extent(v);
+    mesh.points.push_back({p[0], p[1], p[2]});
+  }
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+CellGrid cells_of(const Lattice& lattice) {
+  const Grid& grid = lattice.grid;
+  return {grid.origin_m, grid.edge_m, {grid.size[0], grid.size[1], grid.size[2]}};
+}
+
+// A surface with so many triangles in a cell that a tick could not test them all gets fewer. The
+// user is told if it moves by that.
+Mesh simple_enough(const Membrane& membrane, Mesh mesh, std::uint16_t material,
+                   const CellGrid& grid, std::vector<std::string>& warnings) {
+  constexpr int kMostTries = 8;
+  constexpr double kMostMovedM = 1e-4;
+  // Other membranes may lie in the same cell.
+  constexpr double kWanted = kMaxTrianglesPerCell / 2.0;
+  const Mesh whole = mesh;
+  for (int i = 0; i < kMostTries; ++i) {
+    const auto most = static_cast<double>(most_in_a_cell(list_membranes({{mesh, material}}, grid)));
+    if (most <= kWanted) break;
+    mesh = with_fewer_triangles(mesh, static_cast<std::size_t>(
+                                          0.9 * kWanted / most *
+                                          static_cast<double>(mesh.triangles.size())));
+  }
+  if (mesh.triangles.size() == whole.triangles.size()) return mesh;
+  const double moved_m = mesh.triangles.empty() ? 0 : deviation(whole, mesh).most_m;
+  if (mesh.triangles.empty() || moved_m > kMostMovedM) {
+    warnings.push_back(fmt::format(
+        "membrane {} ({}): {} triangles are too many for voxels of {:.3g} mm; with {} it lies up "
+        "to {:.2g} mm beside where it was: expected finer voxels, or a smoother surface",
+        membrane.tissue, membrane.from, whole.triangles.size(), grid.edge_m * 1e3,
+        mesh.triangles.size(), moved_m * 1e3));
+  }
+  return mesh;
+}
+
+// Only the part that lies in tissue is met.
+void warn_of_outside(const Membrane& membrane, const Mesh& mesh, const MembraneLists& lists,
+                     const Lattice& lattice, std::vector<std::string>& warnings) {
+  const Grid& grid = lattice.grid;
+  double inside_m2 = 0;
+  for (const OrganMembraneCell& c : lists.cells) {
+    const std::size_t cell =
+        (std::size_t{c.z} * grid.size[1] + c.y) * grid.size[0] + c.x;
+    if (lattice.voxel_of_cell[cell] == kNoVoxel) continue;
+    inside_m2 += static_cast<double>(c.area) * grid.edge_m * grid.edge_m;
+  }
+  const double part = inside_m2 / area_m2(mesh);
+  if (!(part > 0)) {
+    refuse("--membrane {}:{}: no part of it lies in the organ: expected a surface in its frame; "
+           "check --units and --scale", membrane.from, membrane.tissue);
+  }
+  if (part >= 1 - kMostOff || membrane.is_plane) return;
+  warnings.push_back(fmt::format(
+      "membrane {} ({}): {:.0f} % of its {:.3g} cm2 lie outside all tissue, where no needle meets "
+      "them", membrane.tissue, membrane.from, 100 * (1 - part), area_m2(mesh) * 1e4));
+}
+
+}  // namespace
+
+std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
+                                      double metres_per_unit) {
+  std::vector<Membrane> membranes;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos || colon == 0 || colon + 1 == text.size()) {
+      refuse("--membrane '{}': expected MESH:TISSUE, or x=MM:TISSUE, also with y and z", text);
+    }
+    Membrane membrane;
+    membrane.from = text.substr(0, colon);
+    membrane.tissue = text.substr(colon + 1);
+    membrane.is_plane = is_plane(membrane.from);
+    if (membrane.is_plane) {
+      membrane.axis = static_cast<std::size_t>(membrane.from[0] - 'x');
+      membrane.at_m = plane_m(text, membrane.from);
+    } else {
+      ReadMesh read = read_mesh(membrane.from);
+      membrane.mesh_m = std::move(read.mesh);
+      membrane.sha256 = read.sha256;
+      membrane.metres_per_unit = metres_per_unit;
+      for (Vec& p : membrane.mesh_m.points) p = p * metres_per_unit;
+      membrane.from = std::filesystem::path(membrane.from).filename().string();
+      if (!(area_m2(membrane.mesh_m) > 0)) {
+        refuse("--membrane '{}': {} triangles without area: expected a surface", text,
+               membrane.mesh_m.triangles.size());
+      }
+    }
+    membranes.push_back(std::move(membrane));
+  }
+  return membranes;
+}
+
+std::vector<SourceRecord> membrane_records(const std::vector<Membrane>& membranes) {
+  std::vector<SourceRecord> records;
+  for (const Membrane& m : membranes) {
+    if (m.sha256.empty()) continue;
+    records.push_back({m.from, m.tissue, m.sha256, m.metres_per_unit, 0,
+                       static_cast<std::uint32_t>(m.mesh_m.triangles.size())});
+  }
+  return records;
+}
+
+MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Lattice& lattice,
+                              MaterialList& materials, std::vector<std::string>& warnings) {
+  const CellGrid grid = cells_of(lattice);
+  std::vector<MembraneSurface> surfaces;
+  for (const Membrane& membrane : membranes) {
+    const std::uint16_t material =
+        number_of(materials, find_tissue(materials.own, membrane.tissue));
+    Mesh mesh = membrane.is_plane ? plane_through(membrane.axis, membrane.at_m, grid)
+                                  : membrane.mesh_m;
+    mesh = simple_enough(membrane, std::move(mesh), material, grid, warnings);
+    warn_of_outside(membrane, mesh, list_membranes({{mesh, material}}, grid), lattice, warnings);
+    surfaces.push_back({std::move(mesh), material});
+  }
+  MembraneLists lists = list_membranes(surfaces, grid);
+  const std::size_t most = most_in_a_cell(lists);
+  if (most > kMaxTrianglesPerCell) {
+    refuse("--membrane: {} triangles in one voxel of {:.3g} mm: expected at most {}: finer voxels, "
+           "or smoother surfaces", most, grid.edge_m * 1e3, kMaxTrianglesPerCell);
+  }
+  return lists;
+}
+
+}  // namespace stylet::offline
