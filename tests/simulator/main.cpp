@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plays random sessions until there are enough ticks, or the one session of a seed. usage:
 // stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--added-mass]
-// [--procedures] [--stiffening]
+// [--procedures] [--stiffening] [--membranes]
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -23,7 +23,7 @@ struct Options {
   bool each = false;
   bool added_mass = false;
   bool procedures = false;
-  bool stiffening = false;
+  stylet::test::Further further;
 };
 
 std::uint64_t number(const char* text) {
@@ -47,7 +47,9 @@ Options parse(int argc, char** argv) {
     } else if (name == "--procedures") {
       options.procedures = true;
     } else if (name == "--stiffening") {
-      options.stiffening = true;
+      options.further.stiffening = true;
+    } else if (name == "--membranes") {
+      options.further.membranes = true;
     } else if (i + 1 < argc && name == "--seed") {
       options.seed = number(argv[++i]);
     } else if (i + 1 < argc && name == "--sessions") {
@@ -57,7 +59,7 @@ Options parse(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "%s: expected --seed N, --sessions N, --ticks N, --each, "
-                   "--added-mass, --procedures or --stiffening\n",
+                   "--added-mass, --procedures, --stiffening or --membranes\n",
                    argv[i]);
       std::exit(2);
     }
@@ -81,9 +83,11 @@ int report_failure(const Verdict& v, const Options& options, std::uint64_t seed,
                    const char* program) {
   std::printf("seed %llu, tick %llu: %s (observer %.3g J)\n", static_cast<unsigned long long>(seed),
               static_cast<unsigned long long>(v.tick), v.broken, v.observer_min_j);
-  std::printf("again: %s --seed %llu%s%s%s\nat commit: ", program,
+  std::printf("again: %s --seed %llu%s%s%s%s\nat commit: ", program,
               static_cast<unsigned long long>(seed), options.added_mass ? " --added-mass" : "",
-              options.procedures ? " --procedures" : "", options.stiffening ? " --stiffening" : "");
+              options.procedures ? " --procedures" : "",
+              options.further.stiffening ? " --stiffening" : "",
+              options.further.membranes ? " --membranes" : "");
   std::fflush(stdout);
   if (std::system("git -C " STYLET_SOURCE " describe --always --dirty") != 0) std::printf("?\n");
   return 1;
@@ -98,8 +102,8 @@ int main(int argc, char** argv) {
   std::uint64_t dearest = 0;
   while (done < options.sessions && (options.ticks == 0 || ticks < options.ticks)) {
     const std::uint64_t seed = options.seed + done++;
-    Scenario scenario = options.procedures ? stylet::test::draw_procedure(seed, options.stiffening)
-                                           : stylet::test::draw_scenario(seed, options.stiffening);
+    Scenario scenario = options.procedures ? stylet::test::draw_procedure(seed, options.further)
+                                           : stylet::test::draw_scenario(seed, options.further);
     if (options.added_mass) scenario.config.inertia = stylet::Inertia::kAddedMass;
     const Verdict v = stylet::test::simulate(scenario);
     if (options.each) describe(v, seed);

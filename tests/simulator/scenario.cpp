@@ -12,6 +12,7 @@ namespace {
 // Makes sessions of procedures differ from random ones of the same seed.
 constexpr std::uint64_t kProcedures = 1ULL << 48U;
 constexpr std::uint64_t kStiffening = 1ULL << 49U;
+constexpr std::uint64_t kMembranes = 1ULL << 50U;
 
 TinyMaterial draw_material(Draw& draw) {
   TinyMaterial m;
@@ -31,9 +32,34 @@ TinyMaterial draw_material(Draw& draw) {
   return m;
 }
 
-// Layers along z, held from below and perhaps from the sides. How fast they stiffen is from a seed
-// of its own: the session is otherwise that of the same seed without.
-std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, bool stiffening, std::uint64_t seed) {
+// One to three planes through the organ, up to 50 degrees from across its layers; most of them with
+// tension.
+void draw_membranes(Draw& draw, TinyOrgan& tiny) {
+  const float edge_m = tiny.voxel_edge_m;
+  const Vec3 size_m = edge_m * Vec3{static_cast<float>(tiny.nx), static_cast<float>(tiny.ny),
+                                    static_cast<float>(tiny.nz)};
+  const std::uint32_t count = 1 + draw.below(3);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    TinyMaterial material = draw_material(draw);
+    if (draw.chance(0.7)) material.membrane_n_per_m = draw.magnitude(10, 3000);
+    const float height_m = size_m.z * draw.between(0.05, 0.95);
+    const float slope_x = draw.between(-1.2, 1.2), slope_y = draw.between(-1.2, 1.2);
+    const auto corner = [&](float x, float y) {
+      const Vec3 at = {
+          x * size_m.x, y * size_m.y,
+          height_m + slope_x * (x - 0.5F) * size_m.x + slope_y * (y - 0.5F) * size_m.y};
+      return tiny.origin_m + at;
+    };
+    const Vec3 a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+    tiny.membranes.push_back(
+        {static_cast<std::uint16_t>(tiny.materials.size()), {{a, b, c}, {a, c, d}}, 1.0F});
+    tiny.materials.push_back(material);
+  }
+}
+
+// Layers along z, held from below and perhaps from the sides. How fast they stiffen, and membranes,
+// are from seeds of their own: the session is otherwise that of the same seed without.
+std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, Further has, std::uint64_t seed) {
   TinyOrgan tiny;
   for (std::uint16_t* size : {&tiny.nx, &tiny.ny, &tiny.nz}) {
     *size = static_cast<std::uint16_t>(4 + draw.below(6));
@@ -49,11 +75,13 @@ std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, bool stiffening, std::uint64_t
   for (std::uint32_t i = 0; i < layers; ++i) tiny.materials.push_back(draw_material(draw));
   Draw further(~(seed ^ kStiffening));
   for (TinyMaterial& each : tiny.materials) {
-    if (stiffening) each.strain_stiffening = further.magnitude(1, 100);
+    if (has.stiffening) each.strain_stiffening = further.magnitude(1, 100);
   }
   tiny.material_at = [nz = tiny.nz, layers](std::uint16_t, std::uint16_t, std::uint16_t z) {
     return static_cast<std::uint8_t>(static_cast<std::uint32_t>(z) * layers / nz);
   };
+  Draw of_membranes(~(seed ^ kMembranes));
+  if (has.membranes) draw_membranes(of_membranes, tiny);
   return open_organ(tiny_organ(tiny));
 }
 
@@ -240,11 +268,11 @@ std::uint64_t ticks_of(const Scenario& scenario, double longest_s) {
 
 }  // namespace
 
-Scenario draw_scenario(std::uint64_t seed, bool stiffening) {
+Scenario draw_scenario(std::uint64_t seed, Further further) {
   Draw draw(seed);
   Scenario scenario;
   scenario.seed = seed;
-  scenario.organ = draw_organ(draw, stiffening, seed);
+  scenario.organ = draw_organ(draw, further, seed);
   scenario.config = draw_config(draw);
   scenario.obstacles = draw_obstacles(draw, scenario.organ->organ);
   scenario.gentle = draw.chance(0.3);
@@ -259,11 +287,11 @@ Scenario draw_scenario(std::uint64_t seed, bool stiffening) {
   return scenario;
 }
 
-Scenario draw_procedure(std::uint64_t seed, bool stiffening) {
+Scenario draw_procedure(std::uint64_t seed, Further further) {
   Draw draw(seed ^ kProcedures);
   Scenario scenario;
   scenario.seed = seed;
-  scenario.organ = draw_organ(draw, stiffening, seed);
+  scenario.organ = draw_organ(draw, further, seed);
   const Organ& organ = scenario.organ->organ;
   const float thickness_m = organ.voxel_edge_m * static_cast<float>(organ.size_z);
   scenario.config = draw_config(draw);

@@ -47,10 +47,13 @@ struct Scenario {
   std::uint64_t ticks = 0;
 };
 
-// `stiffening`: of tissues that stiffen with their strain.
-Scenario draw_scenario(std::uint64_t seed, bool stiffening = false);
+// What a session has besides: tissues that stiffen with their strain; membranes across the layers.
+struct Further {
+  bool stiffening = false, membranes = false;
+};
+Scenario draw_scenario(std::uint64_t seed, Further further = {});
 // What a hand does on purpose: every needle goes in, rests, moves sideways and back, goes deeper
 // (more often than not towards bone) and comes out.
-Scenario draw_procedure(std::uint64_t seed, bool stiffening = false);
+Scenario draw_procedure(std::uint64_t seed, Further further = {});
 
 }  // namespace stylet::test

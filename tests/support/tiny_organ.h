@@ -53,6 +53,7 @@ enum Face : std::uint32_t { kLowX = 1, kHighX = 2, kLowY = 4, kHighY = 8, kLowZ 
 struct TinyMembrane {
   std::uint16_t material = 0;
   std::vector<std::array<Vec3, 3>> triangles;
+  float area = 0;  // in each cell that lists it, in squares of the edge
 };
 
 struct TinyOrgan {
@@ -204,8 +205,7 @@ inline std::uint8_t fixed_corners(const TinyOrgan& organ, std::uint16_t x, std::
   return static_cast<std::uint8_t>(bits);
 }
 
-// Each triangle in all cells that its box touches: they are more than need be, and have no area, so
-// that only the needle meets the membrane.
+// Each triangle in all cells that its box touches: they may be more than need be.
 inline flatbuffers::Offset<format::Membranes> membranes_of(flatbuffers::FlatBufferBuilder& builder,
                                                            const TinyOrgan& organ) {
   std::vector<format::MembranePoint> points;
@@ -241,7 +241,8 @@ inline flatbuffers::Offset<format::Membranes> membranes_of(flatbuffers::FlatBuff
             triangles.emplace_back(base, base + 1, base + 2);
           }
           const auto count = static_cast<std::uint32_t>(triangles.size()) - first;
-          if (count > 0) cells.emplace_back(x, y, z, membrane.material, first, count, 0.0F);
+          if (count > 0)
+            cells.emplace_back(x, y, z, membrane.material, first, count, membrane.area);
         }
       }
     }
@@ -290,11 +291,11 @@ inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
   format::FinishOrganBuffer(
       builder,
       format::CreateOrganDirect(
-          builder, has_membranes ? 3 : (organ.mixed.empty() ? 1 : 2), "tiny", organ.voxel_edge_m, organ.origin_m.x,
-          organ.origin_m.y, organ.origin_m.z, organ.nx, organ.ny, organ.nz, &runs, &material, &fill,
-          fixed.empty() ? nullptr : &fixed, &materials, &surface.vertices, &surface.triangles,
-          &surface.nodes, 0, organ.mixed.empty() ? nullptr : &organ.mixed,
-          0, nullptr, membranes));
+          builder, has_membranes ? 3 : (organ.mixed.empty() ? 1 : 2), "tiny", organ.voxel_edge_m,
+          organ.origin_m.x, organ.origin_m.y, organ.origin_m.z, organ.nx, organ.ny, organ.nz, &runs,
+          &material, &fill, fixed.empty() ? nullptr : &fixed, &materials, &surface.vertices,
+          &surface.triangles, &surface.nodes, 0, organ.mixed.empty() ? nullptr : &organ.mixed, 0,
+          nullptr, membranes));
   const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
   return {bytes, bytes + builder.GetSize()};
 }

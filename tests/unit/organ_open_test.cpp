@@ -107,8 +107,8 @@ std::vector<Case> lattice_cases() {
     o.runs[i] = format::Run(x, old.y(), old.z(), count);
   };
   return {
-      {"version", [](Owner& o) { o.format_version = 3; }, Status::kOrganVersionUnknown,
-       "format_version", 0, 3, "version 1 or 2"},
+      {"version", [](Owner& o) { o.format_version = 4; }, Status::kOrganVersionUnknown,
+       "format_version", 0, 4, "version 1, 2 or 3"},
       {"sum", [](Owner& o) { o.content_sha256.assign(20, 1); }, Status::kOrganSizesDisagree,
        "content_sha256", 0, 20, "32 bytes, or none"},
       {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,
@@ -183,6 +183,74 @@ std::vector<Case> mixed_cases() {
        "-2 to 2"},
       {"not a number", mixed(Mixed(3, kNoTissue, 0, nan, 0, 0, 0)), range, "mixed.nx", 0,
        static_cast<double>(nan), "-1 to 1"},
+  };
+}
+
+// A good membrane: one triangle, in one cell of material 0.
+void add_membrane(Owner& o) {
+  o.format_version = 3;
+  o.membranes = std::make_unique<format::MembranesT>();
+  o.membranes->points = {{0, 0, 0}, {0.01F, 0, 0}, {0, 0.01F, 0}};
+  o.membranes->triangles = {{0, 1, 2}};
+  o.membranes->cells = {format::MembraneCell(1, 1, 0, 0, 0, 1, 0.5F)};
+}
+
+std::vector<Case> membrane_cases() {
+  const Status range = Status::kOrganValueOutOfRange, index = Status::kOrganIndexOutOfRange;
+  const auto with = [](auto change) {
+    return [change](Owner& o) {
+      add_membrane(o);
+      change(*o.membranes);
+    };
+  };
+  const auto cells = [&](auto... of) {
+    return with([of...](format::MembranesT& m) { m.cells = {of...}; });
+  };
+  using M = format::MembranesT;
+  using Cell = format::MembraneCell;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  return {
+      {"in an old file",
+       [](Owner& o) {
+         add_membrane(o);
+         o.format_version = 2;
+       },
+       Status::kOrganVersionUnknown, "membranes", 0, 2,
+       "format version 3 where there are membranes"},
+      {"point", with([](M& m) {
+         m.points[2] = {0, 9, 0};
+       }),
+       range, "membranes.points", 2, 9, "within 8 m"},
+      {"point that is not a number", with([nan](M& m) {
+         m.points[1] = {0, 0, nan};
+       }),
+       range, "membranes.points", 1, static_cast<double>(nan), "within 8 m"},
+      {"corner", with([](M& m) {
+         m.triangles[0] = {0, 1, 3};
+       }),
+       index, "membranes.triangles", 0, 3, "three indices into points"},
+      {"cell beyond x", cells(Cell(3, 1, 0, 0, 0, 1, 0)), index, "membranes.cells", 0, 3,
+       "a cell of the lattice"},
+      {"cell beyond y", cells(Cell(1, 2, 0, 0, 0, 1, 0)), index, "membranes.cells", 0, 1,
+       "a cell of the lattice"},
+      {"cell beyond z", cells(Cell(1, 1, 2, 0, 0, 1, 0)), index, "membranes.cells", 0, 1,
+       "a cell of the lattice"},
+      {"order of cells", cells(Cell(1, 1, 0, 0, 0, 1, 0), Cell(0, 1, 0, 0, 0, 1, 0)),
+       Status::kOrganOrderWrong, "membranes.cells", 1, 0, "cells sorted by z, y, x, material"},
+      {"cell twice", cells(Cell(1, 1, 0, 0, 0, 1, 0), Cell(1, 1, 0, 0, 0, 1, 0)),
+       Status::kOrganOrderWrong, "membranes.cells", 1, 1, "cells sorted by z, y, x, material"},
+      {"material", cells(Cell(1, 1, 0, 1, 0, 1, 0)), index, "membranes.cells.material", 0, 1,
+       "an index into materials"},
+      {"no triangles", cells(Cell(1, 1, 0, 0, 0, 0, 0)), index, "membranes.cells.first", 0, 0,
+       "triangles of the list, at least 1"},
+      {"triangles beyond the list", cells(Cell(1, 1, 0, 0, 0xFFFFFFFF, 1, 0)), index,
+       "membranes.cells.first", 0, 4294967295.0, "triangles of the list, at least 1"},
+      {"too many triangles", with([](M& m) {
+         m.triangles.assign(257, {0, 1, 2});
+         m.cells = {Cell(1, 1, 0, 0, 0, 257, 0)};
+       }),
+       range, "membranes.cells.count", 0, 257, "at most 256 triangles in a cell"},
+      {"area", cells(Cell(1, 1, 0, 0, 0, 1, -1)), range, "membranes.cells.area", 0, -1, "0 to 256"},
   };
 }
 
@@ -274,6 +342,13 @@ TEST(OrganOpen, RefusesLatticesWithTheirPlace) {
 }
 TEST(OrganOpen, RefusesSurfacesWithTheirPlace) {
   for (const Case& c : surface_cases()) expect_refused(c);
+}
+
+TEST(OrganOpen, RefusesMembranesWithTheirPlace) {
+  Organ organ;
+  ASSERT_EQ(organ_open(changed(add_membrane, small()), organ), Status::kOk);
+  EXPECT_EQ(organ.membrane_cells.size(), 1U);
+  for (const Case& c : membrane_cases()) expect_refused(c);
 }
 
 // The tree is checked last.

@@ -50,22 +50,30 @@ void advance_tip(const Model& model, const State& state, Particle& tip, Vec3 dir
 
 // Gives the tip the spring for the material that it has reached. A stiffer spring holds at the same
 // force, and fresh tissue has not relaxed yet. The energy that is lost counts as cutting.
-void enter_material(const Model& model, State& state, Particle& tip) {
+void enter_material(const Model& model, State& state, Particle& tip, Role role = Role::kTip) {
   const double before = spring_energy(tip);
   const float old = tip.stiffness_n_per_m;
   shift_goals(tip, tip.slack_m);
   forget(tip);
-  set_stiffness(model, state, tip, Role::kTip);
+  set_stiffness(model, state, tip, role);
   if (tip.stiffness_n_per_m > old) pull_goals(tip, 1 - old / tip.stiffness_n_per_m);
   state.head->cutting_j += before - spring_energy(tip);
 }
 
-void take_spring(const Model& model, State& state, Particle& tip, std::uint32_t material) {
+// The tip presses against a membrane: a film, unless its tissue has no tension.
+void press_against(const Model& model, State& state, Particle& tip, std::uint32_t membrane) {
   const std::uint32_t there = tip.material;
-  tip.material = material;
-  enter_material(model, state, tip);
+  tip.material = membrane;
+  const bool film = model.forces[membrane].film.force_n > 0;
+  enter_material(model, state, tip, film ? Role::kMembrane : Role::kTip);
   tip.material = there;
-  state.needle->spring_layer = material;
+  state.needle->spring_layer = membrane;
+}
+
+// The tip has the spring of the tissue that it lies in again.
+void leave_film(const Model& model, State& state, Particle& tip) {
+  enter_material(model, state, tip);
+  state.needle->spring_layer = tip.material;
 }
 
 // A membrane that holds the tip breaks once it is pressed hard enough.
@@ -76,7 +84,7 @@ void press_membrane(const Model& model, State& state, Particle& tip, Vec3 direct
   if (axial < puncture_force(model, state, held, model.forces[held].layer_n)) return;
   const Vec3 image = pull_back_step(model, gradient_around(model, state, tip), direction);
   go_through(model, state, (1 / norm(image)) * image);
-  take_spring(model, state, tip, tip.material);
+  leave_film(model, state, tip);
   const std::uint32_t layer = state.needle->layer;
   state.needle->layer = held;
   add_event(state, EventKind::kPuncture, axial);
@@ -93,7 +101,7 @@ float slip_to_membrane(const Model& model, State& state, Particle& tip, Vec3 dir
   note_free(model, state, free.clear * way);
   if (free.material == kNoTissue) return free.clear;
   hold_at(model, state, free.material);
-  take_spring(model, state, tip, free.material);
+  press_against(model, state, tip, free.material);
   return free.clear;
 }
 
@@ -101,7 +109,7 @@ float slip_to_membrane(const Model& model, State& state, Particle& tip, Vec3 dir
 void leave_membrane(const Model& model, State& state, Particle& tip) {
   const bool held = holding_membrane(model, state) != kNoTissue;
   let_go(model, state);
-  if (held && tip.support_count > 0) take_spring(model, state, tip, tip.material);
+  if (held && tip.support_count > 0) leave_film(model, state, tip);
 }
 
 // The tip has reached another material. A layer that must be punctured holds the tip until it is

@@ -13,6 +13,10 @@ constexpr float kPi = 3.14159265F;
 // tissue, so the spring is for a mean place: the sum of the supports' squares is (2/3)^3.
 constexpr float kInsideGive = 0.104F, kInsideGiveSlope = 0.040F, kInsideGiveSquares = 0.076F;
 constexpr float kMeanSquares = 8.0F / 27.0F;
+// What voxels that hold a membrane give besides, because it lies in one layer of them, in 1 / (G h)
+// of the tissue (measured: tests/fidelity/insertion/membranes_test.cpp; 0.026 to 0.044 in 20 drawn
+// cases).
+constexpr float kMembraneGive = 0.034F;
 // The same under a tip in contact, which two layers of voxels hold: at Poisson ratio 0, how much
 // less at 1, how much more where one voxel holds all of it, and how much more where it acts an edge
 // beside that voxel's middle. Then the growth: by what part of itself for each G h^2 of force, how
@@ -181,6 +185,20 @@ Punch wanted_punch(const Model& model, const State& state, std::uint32_t materia
   return {film.force_n / (depth_m * film_shape(film.start)), kFilmChange * depth_m, film.start};
 }
 
+// Compliance of the lattice under a tip inside, times G h.
+float inside_give(float poisson) {
+  return kInsideGive - kInsideGiveSlope * poisson + kInsideGiveSquares * kMeanSquares;
+}
+
+// Stiffness of the voxels that hold a CP, membranes in them included.
+float held_n_per_m(const Model& model, const Particle& p) {
+  float sum = 0;
+  for (std::uint32_t i = 0; i < p.support_count; ++i) {
+    sum += p.support[i].weight * model.slot_k[p.support[i].slot];
+  }
+  return max_of(sum, 1e-6F);
+}
+
 }  // namespace
 
 void set_stiffness(const Model& model, State& state, Particle& particle, Role role) {
@@ -190,6 +208,7 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   const float a = model.needle_config().outer_radius_m;
   const float nu = m.poisson_ratio;
   const float unit = model.needle_config().unit_m;
+  const Film& film = model.forces[particle.material].film;
   float target = 0, lattice_compliance = 0, slack = 1;
   // A skin's contact does not stiffen, nor does what holds a tip in it.
   const float stiffening = m.skin_shear_n_per_m > 0 ? 0 : m.stiffening;
@@ -205,8 +224,13 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
       // As stiff as in contact, where tissue stiffens: what a puncture finds stored must not be
       // less than the spring inside stores at the same force.
       target = 24 * kPi * shear_inside_pa(head, m, unit) * a * (1 - nu) / (5 - 6 * nu) * deep;
-      lattice_compliance =
-          (kInsideGive - kInsideGiveSlope * nu + kInsideGiveSquares * kMeanSquares) / k;
+      lattice_compliance = inside_give(nu) / k;
+      break;
+    case Role::kMembrane:
+      // A spring, as far as it may come: from nothing to the depth and force of the puncture.
+      target = film.force_n / film.depth_m;
+      lattice_compliance = inside_give(nu) / held_n_per_m(model, particle) +
+                           kMembraneGive / (m.shear_pa * head.edge_m);
       break;
     case Role::kShaft:
       target = shear_inside_pa(head, m, unit) * unit * line_stiffness(a, nu);

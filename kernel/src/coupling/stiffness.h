@@ -4,9 +4,9 @@
 //
 // A rigid body of the needle's radius in a half space or an endless body has a stiffness in closed
 // form: for a tip in contact that of cone.h, or of a skin on the tissue (film.h); for a tip inside
-// that of a sphere; for a piece of shaft that of a cylinder. The lattice under a CP provides a part
-// of that compliance, which depends on voxel, Poisson's ratio and place (measured, below). The
-// spring provides the rest.
+// that of a sphere, or of a membrane that it stretches; for a piece of shaft that of a cylinder.
+// The lattice under a CP provides a part of that compliance, which depends on voxel, Poisson's
+// ratio and place (measured, below). The spring provides the rest.
 //
 // Promises: bounded by limits.h, no allocation, fixed order. Units SI. PHYSICS 8.4, 11.
 #pragma once
@@ -19,7 +19,8 @@ namespace stylet {
 // Largest spring of a CP, in voxel springs k: beyond it only the condition of the numbers changes.
 constexpr float kMaxCpWeight = 128.0F;
 
-enum class Role { kSurface, kTip, kShaft };
+// kMembrane: a tip that a membrane of its material holds.
+enum class Role { kSurface, kTip, kMembrane, kShaft };
 
 // Gives a CP its spring and its relaxing part. Where the lattice alone is softer than required, it
 // gets the largest spring, and the shortfall is reported.

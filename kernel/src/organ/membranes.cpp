@@ -85,7 +85,9 @@ MembraneCrossing first_membrane(const Organ& organ, Vec3 from_m, Vec3 to_m) {
     const Cells x = cells_of(a.x, b.x, o.x, edge_m, organ.size_x);
     const Cells y = cells_of(a.y, b.y, o.y, edge_m, organ.sheet_rows);
     const Cells z = cells_of(a.z, b.z, o.z, edge_m, organ.size_z);
-    float at_m = searched_m;
+    // A triangle of these cells may also cross the way farther on, behind others.
+    const float end = from + (1 + kNearEdges) * edge_m;
+    float at_m = min_of(end, searched_m);
     std::uint32_t material = kNoTissue;
     for (std::int32_t k = z.first; k <= z.last; ++k) {
       for (std::int32_t j = y.first; j <= y.last; ++j) {

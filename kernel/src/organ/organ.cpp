@@ -328,16 +328,16 @@ bool check_membrane_cells(Checker& check, const Organ& organ) {
     if (!check.require(c.x < organ.size_x && c.y < organ.sheet_rows && c.z < organ.size_z,
                        Status::kOrganIndexOutOfRange, "membranes.cells", i, c.x,
                        "a cell of the lattice") ||
-        !check.require(
-            i == 0 || place > last_place ||
-                (same && c.material > organ.membrane_cells[i - 1].material),
-            Status::kOrganOrderWrong, "membranes.cells", i, c.x, "cells sorted by z, y, x, material") ||
+        !check.require(i == 0 || place > last_place ||
+                           (same && c.material > organ.membrane_cells[i - 1].material),
+                       Status::kOrganOrderWrong, "membranes.cells", i, c.x,
+                       "cells sorted by z, y, x, material") ||
         !check.require(c.material < organ.material_count, Status::kOrganIndexOutOfRange,
                        "membranes.cells.material", i, c.material, "an index into materials") ||
-        !check.require(c.count > 0 && std::uint64_t{c.first} + c.count <=
-                                          organ.membrane_triangles.size(),
-                       Status::kOrganIndexOutOfRange, "membranes.cells.first", i, c.first,
-                       "triangles of the list, at least 1") ||
+        !check.require(
+            c.count > 0 && std::uint64_t{c.first} + c.count <= organ.membrane_triangles.size(),
+            Status::kOrganIndexOutOfRange, "membranes.cells.first", i, c.first,
+            "triangles of the list, at least 1") ||
         !check.require(triangles <= kMaxTrianglesPerCell, Status::kOrganValueOutOfRange,
                        "membranes.cells.count", i, static_cast<double>(triangles),
                        "at most 256 triangles in a cell") ||

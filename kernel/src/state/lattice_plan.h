@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which slots, particles and tiles the lattice's sweep visits, and in what order: written once, when
-// a kernel is created (lattice/plan.h, lattice/tiles.h), and read by every step.
+// Which slots, particles and tiles the lattice's sweep visits, and in what order: written once,
+// when a kernel is created (lattice/plan.h, lattice/tiles.h), and read by every step.
 //
 // Promises: plain structs, the same bytes on every machine. The arrays are in layout.h.
 #pragma once

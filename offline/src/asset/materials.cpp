@@ -125,6 +125,11 @@ std::vector<Tissue> other_tissues() {
       {"epidural_fat",
        "half liquid: E 3.3 kPa (fat, Samani 2007); a needle meets next to nothing, by judgement",
        911, 3300, 0.45, 0.4, 0.8, 0.05, 0.05, 0.1, 3, 4, 1e-3, 5},
+      {"dura",
+       "membrane in epidural fat: 0.3 mm of 10 MPa, between the 5 and 65 MPa across and along its "
+       "fibres (Runza et al. 1999); punctured where it is tented by 4 mm, of 2 to 6 mm (Zarzur and "
+       "Goncalves 1992); friction as epidural fat's",
+       1100, 3300, 0.45, 0.2, 0.8, 0.25, 0.05, 0.1, 3, 4, 1e-3, 5, 0, 3000},
       {"muscle",
        "relaxed, across fibres: E 10 to 50 kPa; density 1047 (Kaye and Laby); shaft friction 0.03 "
        "to 0.12 N/mm",

@@ -98,13 +98,11 @@ MembraneLists list_membranes(const std::vector<MembraneSurface>& surfaces, const
     }
   }
   for (const auto& [place, cell] : cells) {
-    lists.cells.push_back({static_cast<std::uint16_t>(place[2]),
-                           static_cast<std::uint16_t>(place[1]),
-                           static_cast<std::uint16_t>(place[0]),
-                           static_cast<std::uint16_t>(place[3]),
-                           static_cast<std::uint32_t>(lists.triangles.size()),
-                           static_cast<std::uint32_t>(cell.triangles.size()),
-                           static_cast<float>(cell.area)});
+    lists.cells.push_back(
+        {static_cast<std::uint16_t>(place[2]), static_cast<std::uint16_t>(place[1]),
+         static_cast<std::uint16_t>(place[0]), static_cast<std::uint16_t>(place[3]),
+         static_cast<std::uint32_t>(lists.triangles.size()),
+         static_cast<std::uint32_t>(cell.triangles.size()), static_cast<float>(cell.area)});
     for (const std::size_t number : cell.triangles) lists.triangles.push_back(all[number]);
   }
   return lists;

@@ -100,18 +100,18 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const bool has_sheets = parts.sheets > 1;
   const auto sheets = has_sheets ? write_sheets(builder, parts) : Offset<format::Sheets>();
   const bool has_membranes = !parts.membranes.cells.empty();
-  const auto membranes = has_membranes ? write_membranes(builder, parts.membranes)
-                                       : Offset<format::Membranes>();
+  const auto membranes =
+      has_membranes ? write_membranes(builder, parts.membranes) : Offset<format::Membranes>();
   const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   format::FinishOrganBuffer(
-      builder,
-      format::CreateOrgan(builder, has_membranes ? kWithMembranes : kFormatVersion, name, f(parts.edge_m), f(parts.origin_m.x),
-                          f(parts.origin_m.y), f(parts.origin_m.z), u(parts.size_x),
-                          u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs, voxel_material,
-                          voxel_fill, voxel_fixed, material_list, vertices, triangles, spheres,
-                          provenance, mixed, sheets, seal, membranes));
+      builder, format::CreateOrgan(builder, has_membranes ? kWithMembranes : kFormatVersion, name,
+                                   f(parts.edge_m), f(parts.origin_m.x), f(parts.origin_m.y),
+                                   f(parts.origin_m.z), u(parts.size_x),
+                                   u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs,
+                                   voxel_material, voxel_fill, voxel_fixed, material_list, vertices,
+                                   triangles, spheres, provenance, mixed, sheets, seal, membranes));
 }
 
 }  // namespace

@@ -269,9 +269,8 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
   const Source source = {file, of_map};
   Recipe recipe;
   for (const auto& [key, node] : root) {
-    constexpr std::string_view kTables[] = {"names", "tissues", "crop",      "surface",
-                                            "wall",  "contact", "obstacles", "targets",
-                                            "membranes"};
+    constexpr std::string_view kTables[] = {"names",   "tissues",   "crop",    "surface",  "wall",
+                                            "contact", "obstacles", "targets", "membranes"};
     if (std::find(std::begin(kTables), std::end(kTables), key.str()) == std::end(kTables)) {
       refuse(
           "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [contact], "

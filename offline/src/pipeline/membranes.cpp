@@ -16,7 +16,7 @@ namespace {
 
 // x=MM, y=MM or z=MM.
 bool is_plane(const std::string& from) {
-  return from.size() > 2 && from[0] >= 'x' && from[0] <= 'z' && from[1] == '=';
+  return from.size() >= 2 && from[0] >= 'x' && from[0] <= 'z' && from[1] == '=';
 }
 
 double plane_m(const std::string& text, const std::string& from) {
@@ -62,9 +62,9 @@ Mesh simple_enough(const Membrane& membrane, Mesh mesh, std::uint16_t material,
   for (int i = 0; i < kMostTries; ++i) {
     const auto most = static_cast<double>(most_in_a_cell(list_membranes({{mesh, material}}, grid)));
     if (most <= kWanted) break;
-    mesh = with_fewer_triangles(mesh, static_cast<std::size_t>(
-                                          0.9 * kWanted / most *
-                                          static_cast<double>(mesh.triangles.size())));
+    mesh = with_fewer_triangles(
+        mesh, static_cast<std::size_t>(0.9 * kWanted / most *
+                                       static_cast<double>(mesh.triangles.size())));
   }
   if (mesh.triangles.size() == whole.triangles.size()) return mesh;
   const double moved_m = mesh.triangles.empty() ? 0 : deviation(whole, mesh).most_m;
@@ -84,20 +84,22 @@ void warn_of_outside(const Membrane& membrane, const Mesh& mesh, const MembraneL
   const Grid& grid = lattice.grid;
   double inside_m2 = 0;
   for (const OrganMembraneCell& c : lists.cells) {
-    const std::size_t cell =
-        (std::size_t{c.z} * grid.size[1] + c.y) * grid.size[0] + c.x;
+    const std::size_t cell = (std::size_t{c.z} * grid.size[1] + c.y) * grid.size[0] + c.x;
     if (lattice.voxel_of_cell[cell] == kNoVoxel) continue;
     inside_m2 += static_cast<double>(c.area) * grid.edge_m * grid.edge_m;
   }
   const double part = inside_m2 / area_m2(mesh);
   if (!(part > 0)) {
-    refuse("--membrane {}:{}: no part of it lies in the organ: expected a surface in its frame; "
-           "check --units and --scale", membrane.from, membrane.tissue);
+    refuse(
+        "--membrane {}:{}: no part of it lies in the organ: expected a surface in its frame; "
+        "check --units and --scale",
+        membrane.from, membrane.tissue);
   }
   if (part >= 1 - kMostOff || membrane.is_plane) return;
   warnings.push_back(fmt::format(
       "membrane {} ({}): {:.0f} % of its {:.3g} cm2 lie outside all tissue, where no needle meets "
-      "them", membrane.tissue, membrane.from, 100 * (1 - part), area_m2(mesh) * 1e4));
+      "them",
+      membrane.tissue, membrane.from, 100 * (1 - part), area_m2(mesh) * 1e4));
 }
 
 }  // namespace
@@ -151,8 +153,8 @@ MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Latt
   for (const Membrane& membrane : membranes) {
     const std::uint16_t material =
         number_of(materials, find_tissue(materials.own, membrane.tissue));
-    Mesh mesh = membrane.is_plane ? plane_through(membrane.axis, membrane.at_m, grid)
-                                  : membrane.mesh_m;
+    Mesh mesh =
+        membrane.is_plane ? plane_through(membrane.axis, membrane.at_m, grid) : membrane.mesh_m;
     mesh = simple_enough(membrane, std::move(mesh), material, grid, warnings);
     warn_of_outside(membrane, mesh, list_membranes({{mesh, material}}, grid), lattice, warnings);
     surfaces.push_back({std::move(mesh), material});
@@ -160,8 +162,10 @@ MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Latt
   MembraneLists lists = list_membranes(surfaces, grid);
   const std::size_t most = most_in_a_cell(lists);
   if (most > kMaxTrianglesPerCell) {
-    refuse("--membrane: {} triangles in one voxel of {:.3g} mm: expected at most {}: finer voxels, "
-           "or smoother surfaces", most, grid.edge_m * 1e3, kMaxTrianglesPerCell);
+    refuse(
+        "--membrane: {} triangles in one voxel of {:.3g} mm: expected at most {}: finer voxels, "
+        "or smoother surfaces",
+        most, grid.edge_m * 1e3, kMaxTrianglesPerCell);
   }
   return lists;
 }

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Membranes as surfaces of their own (PHYSICS 9.7): each holds the needle's tip where it lies,
-// whatever the voxels are, until the tip presses as hard as its tissue says.
+// whatever the voxels are, until the tip presses as hard as its tissue says. Places are compared
+// with the planes and spheres themselves, tents with the film's law.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
+#include "laws/fracture.h"
 #include "rig.h"
 
 namespace stylet::test {
 namespace {
 
-constexpr std::uint32_t kGelLayer = 0, kDura = 1, kArachnoid = 2;
+enum Layer : std::uint32_t { kGel1, kDura, kArachnoid };
+constexpr double kPlaceMm = 0.1;  // what a membrane's place may be off
 
 struct Chance {
   std::mt19937_64 engine;
@@ -27,8 +31,10 @@ struct Chance {
   }
 };
 
-// Two triangles of `half_m` around a place, across a direction.
-std::vector<std::array<Vec3, 3>> sheet(Vec3 at_m, Vec3 across, float half_m) {
+using Triangles = std::vector<std::array<Vec3, 3>>;
+
+// A square of `half_m` around a place, across a direction.
+Triangles sheet(Vec3 at_m, Vec3 across, float half_m) {
   const Vec3 n = (1 / norm(across)) * across;
   const Vec3 helper = std::fabs(n.x) < 0.8F ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 u = (half_m / norm(cross(n, helper))) * cross(n, helper);
@@ -37,6 +43,34 @@ std::vector<std::array<Vec3, 3>> sheet(Vec3 at_m, Vec3 across, float half_m) {
   return {{a, b, c}, {a, c, d}};
 }
 
+// A sphere as triangles, of which none lies more than some 50 um inside it: an octahedron whose
+// triangles are divided in four until they are small enough.
+Triangles sphere(Vec3 centre_m, float radius_m) {
+  const Vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1}, none = {};
+  Triangles faces;
+  for (const Vec3& a : {x, none - x}) {
+    for (const Vec3& b : {y, none - y}) {
+      for (const Vec3& c : {z, none - z}) faces.push_back({a, b, c});
+    }
+  }
+  const auto between = [](Vec3 a, Vec3 b) { return (1 / norm(a + b)) * (a + b); };
+  float side_m = radius_m * std::numbers::pi_v<float> / 2;
+  for (; side_m * side_m / (6 * radius_m) > 50e-6F; side_m /= 2) {
+    Triangles finer;
+    for (const auto& [a, b, c] : faces) {
+      const Vec3 ab = between(a, b), bc = between(b, c), ca = between(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    faces = std::move(finer);
+  }
+  for (auto& face : faces) {
+    for (Vec3& p : face) p = centre_m + radius_m * p;
+  }
+  return faces;
+}
+
+// A block of 50 mm, held but for the side at which needles enter. Forces follow its modulus, so
+// that all are reached a few millimetres behind the surface that is pressed.
 TinyOrgan block(float edge_m, float modulus_pa) {
   TinyOrgan tiny;
   tiny.voxel_edge_m = edge_m;
@@ -44,54 +78,287 @@ TinyOrgan block(float edge_m, float modulus_pa) {
   tiny.fixed_faces = kHighX | kLowY | kHighY | kLowZ | kHighZ;
   TinyMaterial gel;
   gel.youngs_modulus_pa = modulus_pa;
-  gel.puncture_force_n = 0.3F;
-  gel.cutting_force_n = 0.15F;
+  gel.puncture_force_n = 5e-6F * modulus_pa;
+  gel.cutting_force_n = 3e-6F * modulus_pa;
+  gel.coulomb_friction_n_per_m = gel.static_friction_n_per_m = 1e-4F * modulus_pa;
   TinyMaterial dura = gel, arachnoid = gel;
   dura.name = "dura";
-  dura.puncture_force_n = 0.9F;
+  dura.puncture_force_n = 1.6e-5F * modulus_pa;
   arachnoid.name = "arachnoid";
-  arachnoid.puncture_force_n = 0.5F;
+  arachnoid.puncture_force_n = 1e-5F * modulus_pa;
   tiny.materials = {gel, dura, arachnoid};
   return tiny;
 }
 
-std::vector<Event> punctures(const Kernel& kernel) {
-  std::vector<Event> list(kMaxEvents);
-  list.resize(events(kernel, list));
-  std::erase_if(list, [](const Event& e) { return e.kind != EventKind::kPuncture; });
-  return list;
+struct Scene {
+  TinyOrgan tiny;
+  Vec3 start_m;
+  float depth_m;  // of the membrane on the needle's way
+};
+Scene draw_scene(Chance& chance) {
+  const float edge_m = chance.between(2.5e-3F, 7e-3F);
+  Scene scene = {block(edge_m, chance.between(10000, 30000)), {}, chance.between(8e-3F, 20e-3F)};
+  const float size_m = edge_m * static_cast<float>(scene.tiny.nx);
+  scene.start_m = {-1e-3F, size_m * chance.between(0.4F, 0.6F),
+                   size_m * chance.between(0.4F, 0.6F)};
+  return scene;
+}
+Scene draw_plane(Chance& chance) {
+  Scene scene = draw_scene(chance);
+  Vec3 across = chance.direction();
+  across.x = 1;  // up to 55 degrees beside the needle
+  scene.tiny.membranes = {
+      {kDura, sheet({scene.depth_m, scene.start_m.y, scene.start_m.z}, across, 0.03F)}};
+  return scene;
+}
+
+// Punctures of membranes and of the surface, with the tip's rest place in the tick before each.
+struct Puncture {
+  Event event;
+  Vec3 rest_m;
+};
+struct Watch {
+  std::uint32_t seen = 0;
+  Vec3 rest_m = {};
+  std::vector<Puncture> punctures;
+
+  void operator()(Rig& rig) {
+    std::vector<Event> list(kMaxEvents);
+    list.resize(events(rig.kernel(), list));
+    for (const Event& e : list) {
+      if (e.kind != EventKind::kPuncture || e.tick <= seen) continue;
+      punctures.push_back({e, rest_m});
+    }
+    seen = static_cast<std::uint32_t>(rig.view().state.head->tick);
+    rest_m = rig.view().state.tip->rest_m;
+  }
+  std::vector<Puncture> of(std::uint32_t layer) const {
+    std::vector<Puncture> some;
+    for (const Puncture& p : punctures) {
+      if (p.event.layer == layer) some.push_back(p);
+    }
+    return some;
+  }
+};
+
+void push(Rig& rig, Watch& watch, Vec3 from_m, float to_x_m, float speed_m_per_s = 20e-3F) {
+  drive(rig, from_m, to_x_m, speed_m_per_s, [&](const Output&) { watch(rig); });
+}
+
+double ratio(float a, float b) {
+  return static_cast<double>(a) / static_cast<double>(b);
 }
 
 TEST(Membranes, HoldTheTipWhereTheyLie) {
   Chance chance = {std::mt19937_64(41)};
   for (int i = 0; i < 24; ++i) {
     SCOPED_TRACE(i);
-    const float edge_m = chance.between(2.5e-3F, 7e-3F);
-    TinyOrgan tiny = block(edge_m, chance.between(3000, 30000));
-    const float size_m = edge_m * static_cast<float>(tiny.nx);
-    const Vec3 start = {-1e-3F, size_m * chance.between(0.4F, 0.6F),
-                        size_m * chance.between(0.4F, 0.6F)};
-    const float depth_m = chance.between(8e-3F, 22e-3F);
-    Vec3 across = chance.direction();
-    across.x = 1;  // at most some 45 degrees
-    tiny.membranes = {{kDura, sheet({depth_m, start.y, start.z}, across, 0.02F)}};
-    Rig rig = make_rig(tiny, Config{});
-    std::size_t seen = 0;
-    double held_off_mm = -1;
-    drive(rig, start, depth_m + 12e-3F, chance.between(2e-3F, 50e-3F), [&](const Output&) {
-      const std::vector<Event> list = punctures(rig.kernel());
-      const bool new_one = list.size() != seen;
-      seen = list.size();
-      const Vec3 off = rig.view().state.tip->rest_m - Vec3{depth_m, start.y, start.z};
-      if (new_one && list.back().layer == kDura) {
-        printf("%d edge %.2f depth %.2f force %.3f off %.4f mm track %.3f\n", i, double(edge_m) * 1e3,
-             double(depth_m) * 1e3, double(list.back().force_n), held_off_mm, double(list.back().depth_m) * 1e3);
-        EXPECT_NEAR(static_cast<double>(list.back().force_n), 0.9, 0.05);
-      }
-      held_off_mm = static_cast<double>(dot(off, across) / norm(across)) * 1e3;
-    });
-    EXPECT_EQ(seen, 2U);
+    const Scene scene = draw_plane(chance);
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    push(rig, watch, scene.start_m, scene.depth_m + 12e-3F, chance.between(2e-3F, 50e-3F));
+    const std::vector<Puncture> found = watch.of(kDura);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(ratio(found[0].event.force_n, scene.tiny.materials[kDura].puncture_force_n), 1,
+                0.03);
+    const std::array<Vec3, 3>& t = scene.tiny.membranes[0].triangles[0];
+    const Vec3 across = cross(t[1] - t[0], t[2] - t[0]);
+    const float off_m = dot(found[0].rest_m - t[0], (1 / norm(across)) * across);
+    EXPECT_NEAR(static_cast<double>(off_m) * 1e3, 0, kPlaceMm);
   }
+}
+
+// A vessel, a cyst: its near and its far wall are met where the sphere is.
+TEST(Membranes, HoldTheTipWhereTheyLieIfTheyAreCurved) {
+  Chance chance = {std::mt19937_64(42)};
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draw_scene(chance);
+    const float radius_m = chance.between(2e-3F, 8e-3F);
+    const Vec3 centre_m = {radius_m + scene.depth_m,
+                           scene.start_m.y + radius_m * chance.between(-0.5F, 0.5F),
+                           scene.start_m.z + radius_m * chance.between(-0.5F, 0.5F)};
+    scene.tiny.membranes = {{kDura, sphere(centre_m, radius_m)}};
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    push(rig, watch, scene.start_m, scene.depth_m + 2 * radius_m + 12e-3F);
+    const std::vector<Puncture> found = watch.of(kDura);
+    ASSERT_EQ(found.size(), 2U);
+    for (const Puncture& p : found) {
+      EXPECT_NEAR(static_cast<double>(norm(p.rest_m - centre_m) - radius_m) * 1e3, 0, kPlaceMm);
+    }
+    EXPECT_LT(found[0].rest_m.x, centre_m.x);
+    EXPECT_GT(found[1].rest_m.x, centre_m.x);
+  }
+}
+
+// However fast the hand, and across however many voxels in one tick.
+TEST(Membranes, NoneIsPassedByAFastNeedle) {
+  Chance chance = {std::mt19937_64(44)};
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    const Scene scene = draw_plane(chance);
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    push(rig, watch, scene.start_m, scene.depth_m + 12e-3F, chance.between(0.2F, 2));
+    hold(rig, {scene.depth_m + 12e-3F, scene.start_m.y, scene.start_m.z}, 20);
+    watch(rig);
+    EXPECT_EQ(watch.of(kDura).size(), 1U);
+  }
+}
+
+TEST(Membranes, StayOpenInATrack) {
+  Chance chance = {std::mt19937_64(45)};
+  for (int i = 0; i < 8; ++i) {
+    SCOPED_TRACE(i);
+    const Scene scene = draw_plane(chance);
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    const float deep_m = scene.depth_m + 10e-3F;
+    const auto to = [&](float from_x_m, float x_m) {
+      push(rig, watch, {from_x_m, scene.start_m.y, scene.start_m.z}, x_m);
+    };
+    to(-1e-3F, deep_m);
+    to(deep_m, scene.depth_m - 4e-3F);  // back through the membrane, and once more
+    to(scene.depth_m - 4e-3F, deep_m);
+    EXPECT_EQ(watch.of(kDura).size(), 1U);
+    to(deep_m, -15e-3F);  // out, and into the same hole
+    to(-15e-3F, deep_m);
+    EXPECT_EQ(watch.of(kDura).size(), 1U);
+    to(deep_m, -15e-3F);
+    const Vec3 beside = {-1e-3F, scene.start_m.y + 8e-3F, scene.start_m.z};
+    push(rig, watch, beside, scene.depth_m + 25e-3F);
+    EXPECT_EQ(watch.of(kDura).size(), 2U) << "8 mm beside it is whole";
+  }
+}
+
+// A membrane that held, and was not pressed hard enough, holds again.
+TEST(Membranes, HoldAgainWhereTheyHaveHeld) {
+  Chance chance = {std::mt19937_64(46)};
+  for (int i = 0; i < 8; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draw_plane(chance);
+    scene.tiny.materials[kDura].puncture_force_n *= 2;
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    float at_m = -1e-3F;
+    while (rig.view().state.membrane->held == 0 && at_m < scene.depth_m + 10e-3F) {
+      at_m += 2e-5F;
+      move_tip(rig, {at_m, scene.start_m.y, scene.start_m.z});
+      watch(rig);
+    }
+    ASSERT_GT(rig.view().state.membrane->held, 0U);
+    const auto to = [&](float x_m) {
+      push(rig, watch, {at_m, scene.start_m.y, scene.start_m.z}, x_m);
+      at_m = x_m;
+    };
+    to(at_m + 1e-3F);
+    to(scene.depth_m - 5e-3F);
+    EXPECT_EQ(rig.view().state.membrane->held, 0U);
+    to(-15e-3F);
+    EXPECT_EQ(watch.of(kDura).size(), 0U);
+    to(scene.depth_m + 25e-3F);
+    const std::vector<Puncture> found = watch.of(kDura);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(ratio(found[0].event.force_n, scene.tiny.materials[kDura].puncture_force_n), 1,
+                0.03);
+  }
+}
+
+// Dura and arachnoid lie on each other.
+TEST(Membranes, TwoThatLieTogetherAreTwo) {
+  Chance chance = {std::mt19937_64(47)};
+  for (const float apart_m : {5e-5F, 1e-4F, 4e-4F, 2e-3F}) {
+    SCOPED_TRACE(apart_m);
+    Scene scene = draw_plane(chance);
+    TinyMembrane second = scene.tiny.membranes[0];
+    second.material = kArachnoid;
+    for (std::array<Vec3, 3>& t : second.triangles) {
+      for (Vec3& p : t) p.x += apart_m;
+    }
+    scene.tiny.membranes.push_back(second);
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    push(rig, watch, scene.start_m, scene.depth_m + 15e-3F);
+    ASSERT_EQ(watch.of(kDura).size(), 1U);
+    ASSERT_EQ(watch.of(kArachnoid).size(), 1U);
+    EXPECT_LE(watch.of(kDura)[0].event.tick, watch.of(kArachnoid)[0].event.tick);
+  }
+}
+
+// A membrane with tension gives way as a film on the tissue behind it does: at the force of its
+// puncture the tip has come as far as the film's law says. (What voxels give was measured in other
+// scenes, those of seed 43.)
+TEST(Membranes, TentAsFilms) {
+  Chance chance = {std::mt19937_64(50)};
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draw_scene(chance);
+    scene.tiny.membranes = {
+        {kDura, sheet({scene.depth_m, scene.start_m.y, scene.start_m.z}, {1, 0, 0}, 0.03F), 1.0F}};
+    Material gel = kGel;
+    gel.youngs_modulus_pa = scene.tiny.materials[kGel1].youngs_modulus_pa;
+    TinyMaterial& dura = scene.tiny.materials[kDura];
+    dura.membrane_n_per_m = chance.between(300, 4000);
+    const float tent_m = chance.between(2e-3F, 5e-3F);
+    dura.puncture_force_n = film_force_n(plane_modulus_pa(gel), dura.membrane_n_per_m, tent_m);
+    Rig rig = make_rig(scene.tiny, Config{});
+    float met_m = 0, met_n = 0, last_m = 0, broke_m = 0;
+    Watch watch;
+    drive(rig, scene.start_m, scene.depth_m + 20e-3F, 5e-3F, [&](const Output& out) {
+      watch(rig);
+      if (met_m == 0 && rig.view().state.membrane->held > 0) {
+        met_m = out.tip_m.x;
+        met_n = rig.view().state.tip->force_n.x;
+      }
+      if (broke_m == 0 && watch.of(kDura).size() == 1) broke_m = last_m;
+      last_m = out.tip_m.x;
+    });
+    ASSERT_GT(broke_m, 0);
+    // It is met by a tip that pushes tissue before it, and its spring is straight: on the whole way
+    // the tent would be
+    const double whole_m =
+        static_cast<double>(broke_m - met_m) / (1 - ratio(met_n, dura.puncture_force_n));
+    const double tents = whole_m / static_cast<double>(tent_m);
+    // Beyond forces of 12 G h^2 the lattice is softer than a film, as below a skin (PHYSICS 18.4).
+    const double unit_n = static_cast<double>(gel.youngs_modulus_pa) / 2.9 *
+                          std::pow(static_cast<double>(scene.tiny.voxel_edge_m), 2);
+    EXPECT_GT(tents, static_cast<double>(dura.puncture_force_n) < 12 * unit_n ? 0.93 : 0.75);
+    EXPECT_LT(tents, 1.07);
+  }
+}
+
+TEST(Membranes, TheSameBitsAfterASnapshotWhileOneHolds) {
+  Chance chance = {std::mt19937_64(48)};
+  const Scene scene = draw_plane(chance);
+  Rig rig = make_rig(scene.tiny, Config{}), other = make_rig(scene.tiny, Config{});
+  Watch watch;
+  float at_m = -1e-3F;
+  while (rig.view().state.membrane->held == 0 && at_m < scene.depth_m + 10e-3F) {
+    at_m += 2e-5F;
+    move_tip(rig, {at_m, scene.start_m.y, scene.start_m.z});
+  }
+  std::vector<std::byte> bytes(snapshot_bytes(rig.kernel()));
+  ASSERT_EQ(snapshot(rig.kernel(), bytes), Status::kOk);
+  ASSERT_EQ(restore(other.kernel(), bytes), Status::kOk);
+  const Vec3 from_m = {at_m, scene.start_m.y, scene.start_m.z};
+  drive(rig, from_m, scene.depth_m + 12e-3F, 20e-3F);
+  drive(other, from_m, scene.depth_m + 12e-3F, 20e-3F);
+  EXPECT_EQ(hash_state(rig.kernel()), hash_state(other.kernel()));
+  rig.view().state.membrane->held = 4;  // there are three materials
+  ASSERT_EQ(snapshot(rig.kernel(), bytes), Status::kOk);
+  EXPECT_EQ(restore(other.kernel(), bytes), Status::kSnapshotDamaged);
+}
+
+TEST(Membranes, ThePaperKnowsNone) {
+  Chance chance = {std::mt19937_64(49)};
+  const Scene scene = draw_plane(chance);
+  Config config;
+  config.mode = Mode::kPaper;
+  Rig rig = make_rig(scene.tiny, config);
+  Watch watch;
+  push(rig, watch, scene.start_m, scene.depth_m + 12e-3F);
+  EXPECT_EQ(watch.of(kDura).size(), 0U);
 }
 
 }  // namespace
