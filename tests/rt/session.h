@@ -59,10 +59,30 @@ inline std::unique_ptr<OpenOrgan> open_organ(std::vector<std::byte> bytes) {
   return opened;
 }
 
+// What a block may have besides: tissue inside that stiffens with its strain; a membrane across the
+// way of the needle of block_script, 10 mm below the top.
+struct BlockTissue {
+  float strain_stiffening = 0;
+  bool membrane = false;
+};
+
+inline void add_membrane(TinyOrgan& tiny) {
+  TinyMaterial membrane;
+  membrane.name = "membrane";
+  membrane.puncture_force_n = 0.3F;
+  membrane.membrane_n_per_m = 300;
+  const Vec3 size_m = {tiny.voxel_edge_m * tiny.nx, tiny.voxel_edge_m * tiny.ny,
+                       tiny.voxel_edge_m * tiny.nz - 0.01F};
+  const Vec3 a = {0, 0, size_m.z - 4e-3F}, b = {size_m.x, 0, size_m.z};
+  const Vec3 c = {size_m.x, size_m.y, size_m.z + 4e-3F}, d = {0, size_m.y, size_m.z};
+  tiny.membranes = {
+      {static_cast<std::uint16_t>(tiny.materials.size()), {{a, b, d}, {b, c, d}}, 1.0F}};
+  tiny.materials.push_back(membrane);
+}
+
 // A block of voxels of 5 mm that hangs on its low z face, with a stiffer layer of one voxel on top.
-// What is inside may stiffen with its strain.
 inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny, std::uint16_t nz,
-                                              float strain_stiffening = 0) {
+                                              BlockTissue has = {}) {
   TinyOrgan tiny;
   tiny.nx = nx;
   tiny.ny = ny;
@@ -76,16 +96,18 @@ inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny
   TinyMaterial inside;
   inside.relaxing_fraction = 0.3F;
   inside.viscous_friction_n_s_per_m2 = 50;
-  inside.strain_stiffening = strain_stiffening;
+  inside.strain_stiffening = has.strain_stiffening;
   tiny.materials = {inside, capsule};
   tiny.material_at = [nz](std::uint16_t, std::uint16_t, std::uint16_t z) {
     return static_cast<std::uint8_t>(z + 1 == nz ? 1 : 0);
   };
+  if (has.membrane) add_membrane(tiny);
   return open_organ(tiny_organ(tiny));
 }
 
-// The setup "stiffening", in an organ of its own: tissue stiffens and sinks under its weight.
-constexpr float kStiffening = 40;  // as fat's, PHYSICS 2.7: twofold in a shear of 0.2
+// The setup "stiffening", in an organ of its own: tissue stiffens and sinks under its weight, and a
+// membrane lies in it. As fat's, PHYSICS 2.7: twofold in a shear of 0.2.
+constexpr BlockTissue kStiffening = {40, true};
 inline Config stiffening_config() {
   Config config;
   config.gravity_m_per_s2 = {2, -3, -7};

@@ -18,7 +18,7 @@ namespace stylet::test {
 namespace {
 
 struct Pair {
-  std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8);
+  std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8, {0, true});
   Session a = make_session(organ->organ, Config{}), b = make_session(organ->organ, Config{});
   Script script = block_script(organ->organ, Config{});
 };
