@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint64_t kProcedures = 1ULL << 48U;
 constexpr std::uint64_t kStiffening = 1ULL << 49U;
 constexpr std::uint64_t kMembranes = 1ULL << 50U;
+constexpr std::uint64_t kToughness = 1ULL << 51U;
 
 TinyMaterial draw_material(Draw& draw) {
   TinyMaterial m;
@@ -57,8 +58,9 @@ void draw_membranes(Draw& draw, TinyOrgan& tiny) {
   }
 }
 
-// Layers along z, held from below and perhaps from the sides. How fast they stiffen, and membranes,
-// are from seeds of their own: the session is otherwise that of the same seed without.
+// Layers along z, held from below and perhaps from the sides. How fast they stiffen, how tough they
+// are, and membranes are from seeds of their own: the session is otherwise that of the same seed
+// without.
 std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, Further has, std::uint64_t seed) {
   TinyOrgan tiny;
   for (std::uint16_t* size : {&tiny.nx, &tiny.ny, &tiny.nz}) {
@@ -80,6 +82,14 @@ std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, Further has, std::uint64_t see
   tiny.material_at = [nz = tiny.nz, layers](std::uint16_t, std::uint16_t, std::uint16_t z) {
     return static_cast<std::uint8_t>(static_cast<std::uint32_t>(z) * layers / nz);
   };
+  Draw of_toughness(~(seed ^ kToughness));
+  for (TinyMaterial& each : tiny.materials) {
+    if (!has.toughness) continue;
+    each.fracture_toughness_j_per_m2 = of_toughness.magnitude(5, 1000);
+    each.toughness_velocity_exponent = of_toughness.chance(0.5) ? of_toughness.between(0, 0.5) : 0;
+    each.needle_friction_coefficient =
+        of_toughness.chance(0.7) ? of_toughness.between(0.02, 0.5) : 0;
+  }
   Draw of_membranes(~(seed ^ kMembranes));
   if (has.membranes) draw_membranes(of_membranes, tiny);
   return open_organ(tiny_organ(tiny));

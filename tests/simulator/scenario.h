@@ -47,9 +47,10 @@ struct Scenario {
   std::uint64_t ticks = 0;
 };
 
-// What a session has besides: tissues that stiffen with their strain; membranes across the layers.
+// What a session has besides: tissues that stiffen with their strain; tissues whose forces follow
+// from a toughness, and which are cut sideways; membranes across the layers.
 struct Further {
-  bool stiffening = false, membranes = false;
+  bool stiffening = false, toughness = false, membranes = false;
 };
 Scenario draw_scenario(std::uint64_t seed, Further further = {});
 // What a hand does on purpose: every needle goes in, rests, moves sideways and back, goes deeper

@@ -5,6 +5,7 @@
 #include "coupling/layers.h"
 #include "coupling/membranes.h"
 #include "coupling/return_map.h"
+#include "coupling/sideways.h"
 #include "coupling/spring.h"
 #include "coupling/stiffness.h"
 #include "coupling/support.h"
@@ -190,6 +191,11 @@ void cut_tip(const Model& model, State& state, const Needle& needle, float moved
   own.cut = turn_cut(model, state, needle, 0.5F * all);
   note_slip(head, tip, all);
   tip.slip_m = move * cut;
+  const NeedleForces& forces = model.forces[tip.material];
+  const bool cuts_aside = forces.sideways_n_per_m > 0 && tip.support_count > 0;
+  if (cuts_aside && !head.rules.unit_slips) {
+    (void)cut_sideways(model, state, tip, own.cut, cutting_n(forces, tip.slip_m_per_s));
+  }
   if (move > 0) own.phase = Phase::kInserted;
   if (move < 0) own.phase = Phase::kRetracting;
 }

@@ -2,6 +2,7 @@
 #include "coupling/friction.h"
 
 #include "coupling/return_map.h"
+#include "coupling/sideways.h"
 #include "coupling/spring.h"
 #include "lattice/voxel.h"
 
@@ -92,6 +93,10 @@ void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle
     p.position_m = needle_place(needle, p.arc_m);
     note_slip(head, p, whole);
     p.slip_m = slip * direction;
+    const float length_m = length_of(model, state, p);
+    const Vec3 aside = cut_shaft_sideways(model, state, p, direction, length_m);
+    Vec3& stretch = stretch_of(state, scratch, i);
+    stretch = stretch - aside;
   }
 }
 

@@ -108,6 +108,16 @@ void refill_supports(const Model& model, State& state, Particle& p) {
   state.head->friction_j += before - spring_energy(p);
 }
 
+void take_other_voxels(const Model& model, State& state, Particle& p) {
+  const double before = spring_energy(p);
+  renew_supports(model, state, p, Weighting::kTent);
+  if (p.support_count == 0) {
+    p.give_m = {};
+    forget(p);
+  }
+  state.head->cutting_j += before - spring_energy(p);
+}
+
 void keep_supports(StateHead& state, Particle& p, std::uint32_t kept) {
   const double before = spring_energy(p);
   const auto [residual_m, spread_m2] = residuals(p);

@@ -36,6 +36,10 @@ Particle new_particle(const Model& model, State& state, const Needle& needle, Ve
 // next time.
 void refill_supports(const Model& model, State& state, Particle& p);
 
+// A shaft CP whose rest place has moved takes the voxels around it, at the same force; in none it
+// holds nothing.
+void take_other_voxels(const Model& model, State& state, Particle& p);
+
 // Leaves a shaft CP only the supports whose bits are set in `kept`, as there is no room for the
 // others: their weight goes to these, at the same force. A CP without any holds nothing, and
 // nothing holds it. refill_supports gives supports back where there is room again.

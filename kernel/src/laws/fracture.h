@@ -14,6 +14,10 @@
 // have, U(d) = F_c d (Fregonese and Bacca 2021): with the law of contact (cone.h) at 2 to 3 times
 // F_c, by the film's power law (film.h) at 8/3 of it.
 //
+// A shaft that is dragged sideways cuts as a wire does (Kamyab, Chakrabarti, Williams 1998): per
+// length of it J + (1 + mu) sigma d, where sigma, the stress at which the wire parts its material,
+// is taken to be that pressure p. Its tip cuts aside at F_c, as ahead.
+//
 // Promises: no allocation, no branch on hardware. Units SI. PHYSICS 9.6.
 #pragma once
 
@@ -36,7 +40,8 @@ struct NeedleForces {
   float layer_n;     // the same of a tissue behind another
   float cutting_n;   // at the tip in fresh tissue; of it `tearing_n` goes with speed
   float tearing_n, tearing_exponent;
-  float recut_n;  // at the tip in a track
+  float recut_n;           // at the tip in a track
+  float sideways_n_per_m;  // per length of shaft; 0: neither shaft nor tip cuts sideways
   Friction friction;
   Film film;  // where contact follows the thin skin
 };
@@ -96,6 +101,10 @@ inline void tear(const Material& m, const NeedleConfig& needle, float cone_m, Ne
   out.cutting_n = min_of(m.fracture_toughness_j_per_m2 * torn_m + spread_n, kMaxTipForceN);
   out.tearing_n = out.cutting_n - out.recut_n;
   out.tearing_exponent = m.toughness_velocity_exponent;
+  out.sideways_n_per_m =
+      min_of(m.fracture_toughness_j_per_m2 +
+                 (1 + m.needle_friction_coefficient) * shaft_pressure_pa(plane_pa) * (2 * radius_m),
+             kMaxFrictionNPerM);
   // Tissue that stiffens presses back by the same law of contact as in wanted_punch.
   const StifferTip stiffer =
       stiffer_tip(m.strain_stiffening, cone_cotangent(radius_m, cone_m), m.poisson_ratio);
