@@ -122,7 +122,10 @@ Json json_of(const NeedleConfig& needle) {
           {"bent_angle_rad", json_number(needle.bent_angle_rad)},
           {"torsion_nm2", json_number(needle.torsion_nm2)},
           {"tip_half_angle_rad", json_number(needle.tip_half_angle_rad)},
-          {"torn_diameters", json_number(needle.torn_diameters)}};
+          {"torn_diameters", json_number(needle.torn_diameters)},
+          {"hub", static_cast<std::uint32_t>(needle.hub)},
+          {"bore_radius_m", json_number(needle.bore_radius_m)},
+          {"opening_m", json_number(needle.opening_m)}};
 }
 
 Json json_of(std::size_t predicted, std::size_t used) {
@@ -174,6 +177,27 @@ std::string phase_tables(const RunReport& report) {
   for (std::size_t i = 0; i < report.phases.size(); ++i) {
     if (report.phases.size() > 1) text += fmt::format("{}needle {}\n", i > 0 ? "\n" : "", i);
     text += phase_table(report.phases[i], report.period_s);
+  }
+  return text;
+}
+
+// What the fluid told, and what went in or came out; empty for needles whose hub is closed.
+std::string flow_text(const RunReport& report) {
+  std::string text;
+  for (const Event& event : report.events) {
+    if (event.kind != EventKind::kFlashback && event.kind != EventKind::kLossOfResistance) continue;
+    text += fmt::format("fluid       needle {}: {} at {:.3f} s, {:.2f} mm deep, in material {}\n",
+                        event.needle, event_name(event.kind),
+                        static_cast<double>(event.tick) * report.period_s,
+                        static_cast<double>(event.depth_m) * 1e3, event.layer);
+  }
+  for (std::size_t i = 0; i < report.needles.size(); ++i) {
+    if (report.needles[i].hub == Hub::kClosed) continue;
+    const Flow& flow = report.loop->hand[i].output.flow;
+    const double ml = static_cast<double>(flow.injected_m3) * 1e6;
+    text += fmt::format("fluid       needle {}: {:.3f} ml {}, at the end {:.2f} kPa in the hub\n",
+                        i, std::fabs(ml), ml < 0 ? "came out" : "went in",
+                        static_cast<double>(flow.hub_pa) * 1e-3);
   }
   return text;
 }
@@ -369,8 +393,8 @@ std::string replay_json(const std::string& recording, const hal::ReplayResult& r
 }
 
 std::string human_text(const RunReport& report) {
-  std::string text = phase_tables(report) + "\n" + score_text(report) + timing_table(report) +
-                     "\n" + counter_table(report);
+  std::string text = phase_tables(report) + "\n" + flow_text(report) + score_text(report) +
+                     timing_table(report) + "\n" + counter_table(report);
   const auto row = [](const char* name, std::size_t predicted, std::size_t used) {
     return fmt::format("  {:<10}{:>14}{:>14}\n", name, predicted, used);
   };

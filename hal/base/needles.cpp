@@ -4,6 +4,8 @@
 #include <array>
 #include <numbers>
 
+#include "hal/base/angle.h"
+
 namespace stylet::hal {
 namespace {
 
@@ -107,6 +109,11 @@ double bending_nm2(double outer_mm, double inner_mm, double youngs_modulus_gpa) 
   return youngs_modulus_gpa * 1e9 * kPi / 64 * (outer_m2 * outer_m2 - inner_m2 * inner_m2);
 }
 
+double opening_m(double outer_mm, double half_angle_deg) {
+  const SineCosine half = sine_cosine(half_angle_deg / 360);
+  return 0.25e-3 * outer_mm * half.cosine / half.sine;
+}
+
 NeedleConfig needle_of(const NeedlePreset& preset) {
   NeedleConfig config;
   config.length_m = static_cast<float>(preset.length_mm * 1e-3);
@@ -115,6 +122,8 @@ NeedleConfig needle_of(const NeedlePreset& preset) {
       static_cast<float>(bending_nm2(preset.outer_mm, preset.inner_mm, preset.youngs_modulus_gpa));
   config.tip_half_angle_rad = static_cast<float>(preset.half_angle_deg * (kPi / 180));
   config.torn_diameters = static_cast<float>(find_tip(preset.tip)->torn_diameters);
+  config.bore_radius_m = static_cast<float>(preset.inner_mm * 0.5e-3);
+  config.opening_m = static_cast<float>(opening_m(preset.outer_mm, preset.half_angle_deg));
   if (preset.tip == std::string_view("bevel")) config.bevel_per_m = static_cast<float>(kBevelPerM);
   return config;
 }

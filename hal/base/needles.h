@@ -49,6 +49,8 @@ const NeedlePreset* find_needle(std::string_view name);
 
 // E pi (OD^4 - ID^4) / 64.
 double bending_nm2(double outer_mm, double inner_mm, double youngs_modulus_gpa);
+// Where the middle of the opening is, from the tip: half of the length of a point of this angle.
+double opening_m(double outer_mm, double half_angle_deg);
 // All of it: diameters, length, stiffness (it bends), and its tip.
 NeedleConfig needle_of(const NeedlePreset& preset);
 

@@ -22,6 +22,7 @@ struct Sample {
   std::int64_t t_ns;      // when it was taken, on the loop's clock
   Pose pose;              // of the handle
   std::uint32_t buttons;  // bit i: button i is pressed
+  float plunger_n = 0;    // on a syringe's plunger, of a device that has one
 };
 
 struct Command {

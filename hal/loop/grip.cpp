@@ -52,14 +52,19 @@ Vec3 force_of_torque(const GripConfig& config, Vec3 base_m, Vec3 torque_nm) {
   return 1 / lever.length_m * (swing + spin);
 }
 
+bool is_pressed(std::int32_t button, const Sample& sample) {
+  return button != kNoButton && ((sample.buttons >> static_cast<std::uint32_t>(button)) & 1U) != 0;
+}
+
 }  // namespace
+
+float plunger_force(const GripConfig& config, const Sample& sample) {
+  return sample.plunger_n + (is_pressed(config.plunger_button, sample) ? config.plunger_n : 0);
+}
 
 Pose grip_pose(const GripConfig& config, GripState& state, const Sample& sample) {
   if (!config.enabled) return sample.pose;
-  const bool clutched =
-      config.clutch_button != kNoButton &&
-      ((sample.buttons >> static_cast<std::uint32_t>(config.clutch_button)) & 1U) != 0;
-  const bool pressed = clutched || state.waits;
+  const bool pressed = is_pressed(config.clutch_button, sample) || state.waits;
   const bool takes_up = !pressed && (state.held || !state.started);
   state.held = pressed;
   if (pressed) return state.needle;

@@ -30,7 +30,9 @@ struct GripConfig {
   float force_scale = 1;     // the hand's force over the needle's
   Quat turn = {1, 0, 0, 0};  // turns device coordinates into the needle's
   std::int32_t clutch_button = kNoButton;
-  Vec3 box_low_m = {-10, -10, -10};  // limits of the needle's base
+  std::int32_t plunger_button = kNoButton;  // while it is pressed, a thumb on a syringe's plunger
+  float plunger_n = 0;                      // presses with this, besides what the device tells
+  Vec3 box_low_m = {-10, -10, -10};         // limits of the needle's base
   Vec3 box_high_m = {10, 10, 10};
   bool pivots = false;
   float pivot_depth_m = 0;  // of the point of entry, along the needle's line at the start
@@ -49,6 +51,9 @@ struct GripState {
 
 // Pose of the needle's base, in the needle's frame.
 Pose grip_pose(const GripConfig& config, GripState& state, const Sample& sample);
+
+// The force on a syringe's plunger, enabled or not.
+float plunger_force(const GripConfig& config, const Sample& sample);
 
 // From the next sample on the needle follows the device again, from where the needle is now.
 void grip_take_up(GripState& state);

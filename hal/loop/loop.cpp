@@ -51,7 +51,7 @@ Input next_input(const HandConfig& config, const Device& device, HandState& stat
     base.position_m =
         coupled_base(config.coupling, state.coupling, state.handle.position_m, state.output);
   }
-  return {base, usable ? 1U : 0U};
+  return {base, usable ? 1U : 0U, plunger_force(config.grip, state.sample)};
 }
 
 Vec3 unit_between(Vec3 from, Vec3 to) {

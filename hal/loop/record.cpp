@@ -32,6 +32,14 @@ constexpr std::array kTickColumns = {
     Column{"output/constraint_particles", kU32, 1, STYLET_IN(output.constraint_particles)},
     Column{"output/flags", kU32, 1, STYLET_IN(output.flags)},
     Column{"output/events", kU32, 1, STYLET_IN(output.events)},
+    Column{"flow/plunger_n", kF32, 1, STYLET_IN(input.plunger_n)},
+    Column{"flow/opening_pa", kF32, 1, STYLET_IN(output.flow.opening_pa)},
+    Column{"flow/hub_pa", kF32, 1, STYLET_IN(output.flow.hub_pa)},
+    Column{"flow/flow_m3_per_s", kF32, 1, STYLET_IN(output.flow.flow_m3_per_s)},
+    Column{"flow/injected_m3", kF32, 1, STYLET_IN(output.flow.injected_m3)},
+    Column{"flow/plunger_m", kF32, 1, STYLET_IN(output.flow.plunger_m)},
+    Column{"flow/plunger_m_per_s", kF32, 1, STYLET_IN(output.flow.plunger_m_per_s)},
+    Column{"flow/filled", kF32, 1, STYLET_IN(output.flow.filled)},
     Column{"device/seq", kU64, 1, STYLET_IN(sample.seq)},
     Column{"device/t_ns", kI64, 1, STYLET_IN(sample.t_ns)},
     Column{"device/position_m", kF32, 3, STYLET_IN(sample.pose.position_m)},
@@ -70,11 +78,20 @@ constexpr std::array kNeedleColumns = {
     Column{"needles/torsion_nm2", kF32, 1, STYLET_IN(config.torsion_nm2)},
     Column{"needles/tip_half_angle_rad", kF32, 1, STYLET_IN(config.tip_half_angle_rad)},
     Column{"needles/torn_diameters", kF32, 1, STYLET_IN(config.torn_diameters)},
+    Column{"needles/hub", kU32, 1, STYLET_IN(config.hub)},
+    Column{"needles/bore_radius_m", kF32, 1, STYLET_IN(config.bore_radius_m)},
+    Column{"needles/opening_m", kF32, 1, STYLET_IN(config.opening_m)},
+    Column{"needles/filling_pa_s", kF32, 1, STYLET_IN(config.filling_pa_s)},
+    Column{"needles/plunger_radius_m", kF32, 1, STYLET_IN(config.plunger_radius_m)},
+    Column{"needles/plunger_friction_n", kF32, 1, STYLET_IN(config.plunger_friction_n)},
+    Column{"needles/syringe_m3", kF32, 1, STYLET_IN(config.syringe_m3)},
+    Column{"needles/syringe_filled", kF32, 1, STYLET_IN(config.syringe_filled)},
+    Column{"needles/syringe_gas_m3", kF32, 1, STYLET_IN(config.syringe_gas_m3)},
     Column{"needles/entry_m", kF32, 3, STYLET_IN(course.entry_m)},
     Column{"needles/direction", kF32, 3, STYLET_IN(course.direction)},
 };
 #undef STYLET_IN
-static_assert(sizeof(NeedleConfig) == 11 * 4, "a field of NeedleConfig has no column");
+static_assert(sizeof(NeedleConfig) == 20 * 4, "a field of NeedleConfig has no column");
 
 #define STYLET_IN(field) offsetof(ObstacleConfig, field)
 constexpr std::array kObstacleColumns = {

@@ -16,7 +16,7 @@
 namespace stylet::hal::hdf5 {
 
 constexpr const char* kFormatName = "stylet-recording";
-constexpr std::uint32_t kFormatVersion = 5;
+constexpr std::uint32_t kFormatVersion = 6;
 constexpr hsize_t kEventRows = 64;  // in a chunk
 
 // The named attributes of a recording, each a plain number or text. One list to read and to write.

@@ -45,7 +45,8 @@ bool same_bits(const Column& column, const TickRecord& a, const TickRecord& b) {
 // Columns that a kernel decides: the outputs, and the hash of the state where it was taken.
 bool compared(const Column& column, const TickRecord& recorded) {
   const std::string_view name = column.name;
-  return name.starts_with("output/") || (name == "loop/state_hash" && recorded.state_hash != 0);
+  return name.starts_with("output/") || (name.starts_with("flow/") && name != "flow/plunger_n") ||
+         (name == "loop/state_hash" && recorded.state_hash != 0);
 }
 
 const Column* first_difference(const TickRecord& recorded, const TickRecord& replayed) {

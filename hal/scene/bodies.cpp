@@ -74,6 +74,34 @@ void read_tip(Section& needle, const NeedlePreset& preset, NeedleConfig& config)
       si(needle.needed_number("bent_angle_deg", 0.1, 57), std::numbers::pi / 180);
 }
 
+// What flows through the needle. Keys of a part that it does not have are refused.
+void read_hub(Section& needle, const NeedlePreset& gauge, NeedleConfig& config) {
+  const std::string hub = needle.choice("hub", "closed", {"closed", "open", "syringe"});
+  config.hub = hub == "closed" ? Hub::kClosed : hub == "open" ? Hub::kOpen : Hub::kSyringe;
+  for (const char* key : {"opening_mm", "filling_mpa_s"}) {
+    if (hub == "closed" && needle.has(key)) needle.fail(key, "this key only with an open hub");
+  }
+  if (hub != "closed" && !(gauge.inner_mm > 0)) {
+    needle.fail("hub", "\"closed\", as the needle is solid: id_mm gives it a bore");
+  }
+  config.bore_radius_m = si(gauge.inner_mm, 0.5e-3);
+  const double half_angle_deg =
+      static_cast<double>(config.tip_half_angle_rad) * 180 / std::numbers::pi;
+  config.opening_m =
+      si(needle.number("opening_mm", 1e3 * opening_m(gauge.outer_mm, half_angle_deg), 0, 20), 1e-3);
+  config.filling_pa_s = si(needle.number("filling_mpa_s", 1, 0.01, 1000), 1e-3);
+  Section syringe = needle.table("syringe");
+  if (hub != "syringe" && syringe.there()) needle.fail("hub", "\"syringe\", as there is a syringe");
+  config.plunger_radius_m = si(syringe.number("plunger_mm", 15, 2, 100), 0.5e-3);
+  config.plunger_friction_n = static_cast<float>(syringe.number("friction_n", 0.5, 0, 100));
+  const double barrel_ml = syringe.number("barrel_ml", 10, 0.01, 1000);
+  config.syringe_m3 = si(barrel_ml, 1e-6);
+  config.syringe_filled =
+      static_cast<float>(syringe.number("filled_ml", 0.5 * barrel_ml, 0, barrel_ml) / barrel_ml);
+  config.syringe_gas_m3 = si(syringe.number("gas_ml", 0.05, 0.001, 1000), 1e-6);
+  syringe.finish();
+}
+
 void read_hull(const std::string& path, ObstacleConfig& config) {
   const std::string text = read_text(path, "a hull, as stylet-organ hull makes them");
   const toml::table root = parse_toml(text, path);
@@ -174,6 +202,7 @@ NeedleConfig read_needle(Section& needle) {
   }
   config.rods = static_cast<std::uint32_t>(needle.integer("rods", config.rods, 1, kMaxRods));
   read_tip(needle, gauge, config);
+  read_hub(needle, gauge, config);
   return config;
 }
 

@@ -108,6 +108,9 @@ Waypoint read_waypoint(Section section, const Waypoint& last) {
   w.speed_m_per_s = si(section.number("speed_mm_s", 0, 0.001, 5000), 1e-3);
   w.time_s = static_cast<float>(section.number("time_s", 0, 0, 3600));
   w.hold_s = static_cast<float>(section.number("hold_s", 0, 0, 3600));
+  const double most_n = static_cast<double>(kMaxPlungerN);
+  w.plunger_n = static_cast<float>(
+      section.number("plunger_n", static_cast<double>(last.plunger_n), -most_n, most_n));
   const bool moves = section.has("travel_mm") || section.has("lateral_mm") || section.has("turns");
   const int paces = (section.has("speed_mm_s") ? 1 : 0) + (section.has("time_s") ? 1 : 0);
   if (moves && paces != 1) {
@@ -173,6 +176,10 @@ void read_grip(Section section, const Config& config, const NeedleConfig& needle
   grip.turn = turned(section.numbers<3>("turn_deg", {}, -360, 360));
   grip.clutch_button =
       static_cast<std::int32_t>(section.integer("clutch_button", kNoButton, kNoButton, 31));
+  grip.plunger_button =
+      static_cast<std::int32_t>(section.integer("plunger_button", kNoButton, kNoButton, 31));
+  const double most_n = static_cast<double>(kMaxPlungerN);
+  grip.plunger_n = static_cast<float>(section.number("plunger_n", 10, -most_n, most_n));
   const auto box = section.points("box_mm", 2, 2, -2000, 2000);
   if (!box.empty()) {
     grip.box_low_m = si(box[0], 1e-3);

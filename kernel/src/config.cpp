@@ -13,6 +13,23 @@ double wide(float value) {
   return static_cast<double>(value);
 }
 
+void check_fluid(const NeedleConfig& n, FirstOutside& first) {
+  const auto within = [&](const char* field, float value, float least, float most) {
+    first.check(field, wide(value), wide(least), wide(most));
+  };
+  first.check("needle.hub", static_cast<std::uint32_t>(n.hub), 0, 2);
+  if (n.hub == Hub::kClosed) return;
+  within("needle.bore_radius_m", n.bore_radius_m, kMinBoreM, n.outer_radius_m);
+  within("needle.opening_m", n.opening_m, 0, kMaxOpeningM);
+  within("needle.filling_pa_s", n.filling_pa_s, kMinViscosityPaS, kMaxViscosityPaS);
+  if (n.hub != Hub::kSyringe) return;
+  within("needle.plunger_radius_m", n.plunger_radius_m, kMinPlungerM, kMaxPlungerM);
+  within("needle.plunger_friction_n", n.plunger_friction_n, 0, kMaxPlungerFrictionN);
+  within("needle.syringe_m3", n.syringe_m3, kMinSyringeM3, kMaxSyringeM3);
+  within("needle.syringe_filled", n.syringe_filled, 0, 1);
+  within("needle.syringe_gas_m3", n.syringe_gas_m3, kMinSyringeGasM3, kMaxSyringeM3);
+}
+
 // A narrower needle than 0.02 mm has no steel; a longer unit than 5 cm is no part of a shaft.
 Status check_needle(const NeedleConfig& n, std::uint32_t index, ConfigRefusal* refusal_out) {
   FirstOutside first(index);
@@ -31,6 +48,7 @@ Status check_needle(const NeedleConfig& n, std::uint32_t index, ConfigRefusal* r
   within("needle.tip_half_angle_rad", n.tip_half_angle_rad, kMinTipHalfAngleRad,
          kMaxTipHalfAngleRad);
   within("needle.torn_diameters", n.torn_diameters, kMinTornDiameters, kMaxTornDiameters);
+  check_fluid(n, first);
   return first.status(refusal_out);
 }
 

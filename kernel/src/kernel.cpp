@@ -117,6 +117,18 @@ void fill_forces(const Organ& organ, const Config& config, Model& model) {
   }
 }
 
+// Each needle's bore, and what its opening meets in each material.
+void fill_fluids(const Organ& organ, const Config& config, Model& model) {
+  for (std::uint32_t needle = 0; needle < model.head->counts.fluids; ++needle) {
+    const Bore bore = bore_of(config.needle[needle]);
+    model.bore[needle] = bore;
+    for (std::uint32_t i = 0; i < organ.material_count; ++i) {
+      model.opening[needle * kMaxMaterials + i] =
+          opening_of(organ_material(organ, i), bore.filling_pa_s);
+    }
+  }
+}
+
 // Particle at an existing node: found through any voxel row beside it.
 std::uint32_t particle_at(const Model& model, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   const ModelHead& head = *model.head;
@@ -333,6 +345,9 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
 
 Status count(const Organ& organ, const Config& config, Counts& counts_out) {
   const Status status = count_lattice(organ, config, counts_out);
+  for (std::uint32_t i = 0; i < config.needle_count; ++i) {
+    if (config.needle[i].hub != Hub::kClosed) counts_out.fluids = config.needle_count;
+  }
   if (status != Status::kOk || config.mode == Mode::kPaper) return status;
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
     const bool stiffens = organ_material(organ, i).strain_stiffening > 0;
@@ -380,6 +395,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   Model model = model_of(memory.model.data(), counts);
   fill_head(organ, config, counts, *model.head);
   fill_forces(organ, config, model);
+  fill_fluids(organ, config, model);
   fill_lattice(organ, model);
   fill_sheets(organ, model, counts);
   if (counts.filtered_particles != 0) fill_tiles(organ, model);

@@ -32,6 +32,10 @@ const char* event_name(EventKind kind) {
       return "layer";
     case EventKind::kObstacle:
       return "obstacle";
+    case EventKind::kFlashback:
+      return "flashback";
+    case EventKind::kLossOfResistance:
+      return "loss of resistance";
   }
   return "unknown";
 }

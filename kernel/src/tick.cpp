@@ -20,6 +20,7 @@
 //     11 slip      CPs that the tissue dragged along slip once more                  12.6
 //     12 bend      by the new forces                                     IV.B, 4     6.4
 //     13 force     on the hand, by cause                                 V           14.1
+//     14 flow      of fluid through the needle, unless its hub is closed             9.9
 //
 // Phases: free -> contact (3) -> inserted (5) <-> retracting (6) -> free (8). A needle that finds
 // its old hole enters it from contact (5), or from free if tissue has come over the needle (3).
@@ -30,6 +31,7 @@
 #include "coupling/bend.h"
 #include "coupling/contact.h"
 #include "coupling/cut.h"
+#include "coupling/flow.h"
 #include "coupling/friction.h"
 #include "coupling/insertion.h"
 #include "coupling/layers.h"
@@ -170,6 +172,7 @@ void move_needle(const Model& model, State& state, Scratch& scratch, const Input
   out.before = own.handle;
   out.known_before = own.handle_known != 0;
   out.flags = accept_input(model, state, input);  // 1: input
+  out.flags |= accept_plunger(model, state, input);
   if (own.handle_known == 0) return;
   Vec3 turn = {};
   if (out.known_before) {
@@ -234,6 +237,7 @@ void report_needle(const Model& model, State& state, Scratch& scratch, Moved& mo
     slip_again(model, state, moved.shape);                           // 11: slip
     out.flags |= settle_needle(model, state, scratch, moved.shape);  // 12: bend
     sum_forces(model, state, moved.shape, out);                      // 13: force
+    move_fluid(model, state, moved.shape, out);                      // 14: flow
   }
   describe(model, state, moved.shape, out);
   if (moved.known_before) book_work(state, moved.before, out);

@@ -43,6 +43,7 @@ Config config_from(Bytes& bytes) {
     if ((tip & 32U) != 0) {
       needle.tip_half_angle_rad = (tip & 64U) != 0 ? kMinTipHalfAngleRad : kMaxTipHalfAngleRad;
     }
+    if ((tip & 128U) != 0) needle.hub = (tip & 64U) != 0 ? Hub::kSyringe : Hub::kOpen;
     if ((tip & 16U) != 0) {
       needle.bent_length_m = 0.02F;
       needle.bent_angle_rad = 0.3F;
@@ -141,7 +142,7 @@ Input apply(const Operation& op, const Config& config, Hand& hand) {
       handle.rotation.z += 10 * op.step.z;
       return hand.input;
     case 4:
-      field_of(sent.handle, op.field) = op.value;
+      (op.field == 255 ? sent.plunger_n : field_of(sent.handle, op.field)) = op.value;
       return sent;
     case 5:
       sent.valid = 0;
@@ -149,7 +150,8 @@ Input apply(const Operation& op, const Config& config, Hand& hand) {
     case 6:
       hand = start_hand(config, op.needle);
       return hand.input;
-    default:
+    default:  // a long rest presses the plunger, a short one draws it
+      hand.input.plunger_n = 3 * static_cast<float>(op.repeats / 16U) - 12;
       return sent;
   }
 }

@@ -91,6 +91,20 @@ TEST(Grip, HandThatIsUpsideDownDoesNotRollThePivotingShaft) {
   expect_near({pose.rotation.x, pose.rotation.y, pose.rotation.z}, {}, 1e-6F);
 }
 
+// A thumb on the plunger: what the device tells, and the button's force while it is pressed.
+TEST(Grip, APlungersButtonAddsItsForce) {
+  GripConfig config;
+  Sample sample = sample_at({0, 0, 0});
+  sample.plunger_n = 2;
+  sample.buttons = 1U << 4U;
+  EXPECT_EQ(plunger_force(config, sample), 2);
+  config.plunger_button = 4;
+  config.plunger_n = -5;
+  EXPECT_EQ(plunger_force(config, sample), -3);
+  sample.buttons = 1U << 3U;
+  EXPECT_EQ(plunger_force(config, sample), 2);
+}
+
 TEST(Grip, ClutchHoldsTheNeedleAndFadesTheForce) {
   GripConfig config = plain();
   config.clutch_button = 2;

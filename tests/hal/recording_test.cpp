@@ -211,7 +211,7 @@ TEST_F(RecordingTest, AnOlderFormatIsRefusedByItsNumber) {
   ASSERT_GE(H5Awrite(version, H5T_NATIVE_UINT32, &old), 0);
   H5Aclose(version);
   H5Fclose(file);
-  EXPECT_THAT(refusal(path()), testing::HasSubstr("r.h5: format_version: 1: expected 5: make"));
+  EXPECT_THAT(refusal(path()), testing::HasSubstr("r.h5: format_version: 1: expected 6: make"));
 }
 
 // A file that gets the name while a run records stays; with --force it is replaced.

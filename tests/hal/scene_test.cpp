@@ -250,6 +250,20 @@ TEST(Scene, MistakesOfObstaclesAndBreathing) {
   });
 }
 
+TEST(Scene, MistakesOfHubAndSyringe) {
+  expect_refusals({
+      {"unit_mm = 4", "unit_mm = 4\nhub = \"cork\"", "cork", "\"open\" or \"syringe\""},
+      {"unit_mm = 4", "unit_mm = 4\nopening_mm = 1", "opening_mm", "only with an open hub"},
+      {"unit_mm = 4", "unit_mm = 4\nhub = \"open\"\nopening_mm = 30", "opening_mm", "from 0 to 20"},
+      {"gauge = \"22G\"", "od_mm = 0.5\nhub = \"open\"", "hub", "the needle is solid"},
+      {"unit_mm = 4", "unit_mm = 4\nhub = \"open\"\nsyringe = {gas_ml = 1}", "hub",
+       "\"syringe\", as"},
+      {"unit_mm = 4", "unit_mm = 4\nhub = \"syringe\"\nsyringe = {filled_ml = 11}", "filled_ml",
+       "from 0 to 10"},
+      {"hold_s = 1", "hold_s = 1\nplunger_n = 300", "plunger_n", "from -200 to 200"},
+  });
+}
+
 TEST(Scene, MistakesOfApproachDeviceAndGuard) {
   expect_refusals({
       {"[0, 0, -2]", "[0, 0]", "direction",
@@ -476,6 +490,46 @@ TEST(Scene, Gravity) {
   EXPECT_EQ(turned.z, 6);
   EXPECT_TRUE(
       nothing(gravity("[gravity]\nnow_m_per_s2 = [0, 9, 0]\nat_rest_m_per_s2 = [0, 9, 0]")));
+}
+
+// What flows through a needle: nothing, unless the scene opens its hub.
+TEST(Scene, HubAndSyringe) {
+  EXPECT_EQ(parse_scene(kGood, "s.toml").config.needle[0].hub, Hub::kClosed);
+  const auto needle = [](const std::string& keys) {
+    return parse_scene(changed("unit_mm = 4", "unit_mm = 4\n" + keys), "s.toml").config.needle[0];
+  };
+  const NeedleConfig open = needle("hub = \"open\"\nfilling_mpa_s = 0.0182");
+  EXPECT_EQ(open.hub, Hub::kOpen);
+  EXPECT_NEAR(of(open.bore_radius_m), 0.413e-3 / 2, 1e-9);  // 22G
+  EXPECT_NEAR(of(open.opening_m), 0.7176e-3 / 4 / std::tan(15 * 3.14159265358979 / 180), 1e-9);
+  EXPECT_NEAR(of(open.filling_pa_s), 18.2e-6, 1e-12);
+  const NeedleConfig syringe = needle(R"(hub = "syringe"
+opening_mm = 1.5
+syringe = {plunger_mm = 12, friction_n = 0.2, barrel_ml = 5, filled_ml = 4, gas_ml = 0.3})");
+  EXPECT_EQ(syringe.hub, Hub::kSyringe);
+  EXPECT_NEAR(of(syringe.opening_m), 1.5e-3, 1e-9);
+  EXPECT_NEAR(of(syringe.filling_pa_s), 1e-3, 1e-9);
+  EXPECT_NEAR(of(syringe.plunger_radius_m), 6e-3, 1e-9);
+  EXPECT_NEAR(of(syringe.plunger_friction_n), 0.2, 1e-7);
+  EXPECT_NEAR(of(syringe.syringe_m3), 5e-6, 1e-12);
+  EXPECT_NEAR(of(syringe.syringe_filled), 0.8, 1e-7);
+  EXPECT_NEAR(of(syringe.syringe_gas_m3), 3e-7, 1e-13);
+}
+
+// The thumb presses from a waypoint on, or while a button of the device is pressed.
+TEST(Scene, ForceOnThePlunger) {
+  const Scene scene = parse_scene(changed("time_s = 0.5",
+                                          "time_s = 0.5\nplunger_n = -2\n[[hand.waypoint]]\n"
+                                          "hold_s = 1\n[mapping]\nplunger_button = 3\n"
+                                          "plunger_n = 7"),
+                                  "s.toml");
+  const auto& way = scene.hands[0].waypoints;
+  ASSERT_EQ(way.size(), 3U);
+  EXPECT_EQ(way[0].plunger_n, 0);
+  EXPECT_EQ(way[1].plunger_n, -2);
+  EXPECT_EQ(way[2].plunger_n, -2);
+  EXPECT_EQ(scene.hands[0].grip.plunger_button, 3);
+  EXPECT_EQ(scene.hands[0].grip.plunger_n, 7);
 }
 
 TEST(Scene, ObstaclesAndBreathing) {

@@ -108,6 +108,21 @@ TEST(Script, TimesFollowFromSpeedsTimesAndHolds) {
   EXPECT_EQ(script_ticks({{0, 0, 0, 0}, {0.0015, 0, 0, 0}}, 1e-3), 2U);
 }
 
+TEST(SimulatedHand, ItsThumbPressesOnTheWayAndWhileHolding) {
+  SimulatedHand hand;
+  hand.script = make_script({Waypoint{.travel_m = 0.01F, .time_s = 1},
+                             Waypoint{.travel_m = 0.02F, .time_s = 1, .hold_s = 1, .plunger_n = 9}},
+                            0);
+  const Device device = simulated_hand_device(hand, {"hand", 8, 2000});
+  for (int tick = 1; tick <= 3200; ++tick) {
+    Sample sample{};
+    ASSERT_TRUE(device.read(device.self, 0, sample));
+    if (tick != 1000) {
+      EXPECT_EQ(sample.plunger_n, tick < 1000 ? 0 : 9) << tick;
+    }
+  }
+}
+
 // Roll of the base in turns, from the quaternion about z.
 double turns_of(const Sample& sample) {
   const Quat& q = sample.pose.rotation;

@@ -143,7 +143,7 @@ class Structs : public testing::Test {
   }
   void push(int ticks) {
     for (int i = 0; i < ticks; ++i) {
-      const stylet_input in = {sizeof in, 1, above(organ_, 1e-5F * static_cast<float>(i))};
+      const stylet_input in = {sizeof in, 1, above(organ_, 1e-5F * static_cast<float>(i)), 0};
       ASSERT_EQ(stylet_simulation_tick(simulation_, &in, 1, nullptr, 0), STYLET_OK);
     }
   }
@@ -204,7 +204,7 @@ TEST_F(Structs, FilledForAnyCaller) {
       [this](stylet_output* out) {
         stylet_simulation* same = nullptr;
         (void)stylet_simulation_clone(simulation_, &same);
-        const stylet_input in = {sizeof in, 1, above(organ_, 3e-3F)};
+        const stylet_input in = {sizeof in, 1, above(organ_, 3e-3F), 0};
         const stylet_status status = stylet_simulation_tick(same, &in, 1, out, 1);
         stylet_simulation_free(same);
         return status;
@@ -237,7 +237,7 @@ TEST_F(Structs, ConfigurationTakenFromAnyCaller) {
 
 TEST_F(Structs, InputTakenFromAnyCaller) {
   const auto init = [this](stylet_input* in, std::size_t bytes) -> stylet_status {
-    const stylet_input whole = {static_cast<std::uint32_t>(bytes), 0, above(organ_, 0)};
+    const stylet_input whole = {static_cast<std::uint32_t>(bytes), 0, above(organ_, 0), 0};
     std::memset(static_cast<void*>(in), 0, bytes);
     std::memcpy(static_cast<void*>(in), &whole, std::min(bytes, sizeof whole));
     return STYLET_OK;

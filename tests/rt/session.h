@@ -81,6 +81,7 @@ inline void add_membrane(TinyOrgan& tiny) {
 }
 
 // A block of voxels of 5 mm that hangs on its low z face, with a stiffer layer of one voxel on top.
+// What is inside holds fluid for needles with a syringe.
 inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny, std::uint16_t nz,
                                               BlockTissue has = {}) {
   TinyOrgan tiny;
@@ -97,6 +98,8 @@ inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny
   inside.relaxing_fraction = 0.3F;
   inside.viscous_friction_n_s_per_m2 = 50;
   inside.strain_stiffening = has.strain_stiffening;
+  inside.fluid_pressure_pa = 1500;
+  inside.fluid_conductance_m3_per_pa_s = 1e-9F;
   tiny.materials = {inside, capsule};
   tiny.material_at = [nz](std::uint16_t, std::uint16_t, std::uint16_t z) {
     return static_cast<std::uint8_t>(z + 1 == nz ? 1 : 0);
@@ -105,12 +108,15 @@ inline std::unique_ptr<OpenOrgan> block_organ(std::uint16_t nx, std::uint16_t ny
   return open_organ(tiny_organ(tiny));
 }
 
-// The setup "stiffening", in an organ of its own: tissue stiffens and sinks under its weight, and a
-// membrane lies in it. As fat's, PHYSICS 2.7: twofold in a shear of 0.2.
+// The setup "stiffening", in an organ of its own: tissue stiffens and sinks under its weight, a
+// membrane lies in it, and the needle has a syringe. As fat's, PHYSICS 2.7: twofold in a shear of
+// 0.2.
 constexpr BlockTissue kStiffening = {40, true};
 inline Config stiffening_config() {
   Config config;
   config.gravity_m_per_s2 = {2, -3, -7};
+  config.needle[0].hub = Hub::kSyringe;
+  config.needle[0].opening_m = 1e-3F;
   return config;
 }
 
@@ -133,7 +139,8 @@ inline Session make_session(const Organ& organ, const Config& config) {
 
 // The hand goes again and again from 12 mm above the surface 27 mm into the tissue at 26 mm/s,
 // pauses, is pulled sideways at the end of the pause, and goes out; each time at another place,
-// tilted a little. Now and then a sample is missing or not a number.
+// tilted a little. A syringe is pressed on the way in and drawn on the way out. Now and then a
+// sample is missing or not a number.
 constexpr std::uint64_t kCycleTicks = 4000;
 constexpr std::uint64_t kPauseBegin = 1500, kPauseEnd = 2500;  // needle at its deepest
 
@@ -174,6 +181,7 @@ inline Input scripted_input(const Script& script, std::uint64_t tick) {
       script.entry_m.y + 3.1e-3F * (steps(cycle % 3) - 1) - 2 * tilt * script.needle_length_m,
       script.entry_m.z + script.needle_length_m - depth_m};
   input.valid = tick % 997 == 996 ? 0 : 1;
+  input.plunger_n = at < kPauseEnd ? 8 : -4;
   if (tick % 4999 == 4998) input.handle.position_m.y = std::numeric_limits<float>::quiet_NaN();
   return input;
 }

@@ -61,7 +61,10 @@ inline bool all_finite(const Output& out) {
          is_finite(out.cause.stiffness_n) && is_finite(out.cause.cutting_n) &&
          is_finite(out.cause.friction_n) && is_finite(out.cause.clamping_n) &&
          is_finite(out.cause.obstacle_n) && std::isfinite(out.depth_m) &&
-         std::isfinite(out.stiffness_n_per_m);
+         std::isfinite(out.stiffness_n_per_m) && std::isfinite(out.flow.opening_pa) &&
+         std::isfinite(out.flow.hub_pa) && std::isfinite(out.flow.flow_m3_per_s) &&
+         std::isfinite(out.flow.injected_m3) && std::isfinite(out.flow.plunger_m) &&
+         std::isfinite(out.flow.plunger_m_per_s) && std::isfinite(out.flow.filled);
 }
 
 // Force and moment of a needle's constraint particles and contacts on it, about its handle.

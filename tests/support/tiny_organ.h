@@ -37,6 +37,7 @@ inline constexpr Material kGel = [] {
   m.coulomb_friction_n_per_m = 10;
   m.static_friction_n_per_m = 10;
   m.stribeck_velocity_m_per_s = 1e-3F;
+  m.fluid_pressure_pa = 0;
   return m;
 }();
 

@@ -99,7 +99,8 @@ TEST(Reset, IsTheFirstState) {
 TEST(Difference, NamesEveryFieldAndElement) {
   Pair p;
   Config config;
-  config.inertia = Inertia::kTrueMass;  // which has fields of its own
+  config.inertia = Inertia::kTrueMass;  // this and a syringe have fields of their own
+  config.needle[0].hub = Hub::kSyringe;
   p.a = make_session(p.organ->organ, config);
   p.b = make_session(p.organ->organ, config);
   run(p.a.kernel, p.script, 0, 1300);
@@ -186,11 +187,13 @@ TEST(Events, OldestIsOverwrittenAndOrderIsKept) {
 
 TEST(Events, EveryKindHasAName) {
   std::set<std::string> names;
-  for (std::uint32_t kind = 0; kind <= static_cast<std::uint32_t>(EventKind::kObstacle); ++kind) {
+  for (std::uint32_t kind = 0; kind <= static_cast<std::uint32_t>(EventKind::kLossOfResistance);
+       ++kind) {
     EXPECT_TRUE(names.insert(event_name(static_cast<EventKind>(kind))).second) << kind;
   }
   EXPECT_EQ(names.count("unknown"), 0U);
-  for (const std::uint32_t kind : {static_cast<std::uint32_t>(EventKind::kObstacle) + 1, 99U}) {
+  for (const std::uint32_t kind :
+       {static_cast<std::uint32_t>(EventKind::kLossOfResistance) + 1, 99U}) {
     EXPECT_STREQ(event_name(static_cast<EventKind>(kind)), "unknown");
   }
 }

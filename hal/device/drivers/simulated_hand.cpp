@@ -13,6 +13,7 @@ struct Target {
   double position_m[3];
   double velocity_m_per_s[3];
   double turns;
+  float plunger_n;
 };
 
 // Turns since the start, at `fraction` of the motion from a to b.
@@ -30,12 +31,13 @@ Target target_at(SimulatedHand& hand, double t_s) {
   const ScriptPoint& a = script[hand.segment];
   const ScriptPoint& b = script[std::min(hand.segment + 1, script.size() - 1)];
   const double span = b.t_s - a.t_s;
-  if (!(span > 0) || t_s >= b.t_s) return {{b.x_m, b.y_m, b.z_m}, {0, 0, 0}, b.turns};
+  if (!(span > 0) || t_s >= b.t_s) return {{b.x_m, b.y_m, b.z_m}, {0, 0, 0}, b.turns, b.plunger_n};
   const double fraction = (t_s - a.t_s) / span;
   const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m, dz = b.z_m - a.z_m;
   return {{a.x_m + fraction * dx, a.y_m + fraction * dy, a.z_m + fraction * dz},
           {dx / span, dy / span, dz / span},
-          turns_at(a, b, fraction)};
+          turns_at(a, b, fraction),
+          b.plunger_n};
 }
 
 double of(float value) {
@@ -105,12 +107,14 @@ bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
   }
   ++hand.tick;
   const double now_s = static_cast<double>(hand.tick) * hand.period_s;
-  const SineCosine half = sine_cosine(0.5 * target_at(hand, now_s).turns);
+  const Target now = target_at(hand, now_s);
+  const SineCosine half = sine_cosine(0.5 * now.turns);
   sample_out = {hand.tick,
                 now_ns,
                 {measured_m(hand, steps),
                  {static_cast<float>(half.cosine), 0, 0, static_cast<float>(half.sine)}},
-                hand.tick > 1 ? hand.config.held_buttons : 0};
+                hand.tick > 1 ? hand.config.held_buttons : 0,
+                now.plunger_n};
   return true;
 }
 
@@ -145,6 +149,7 @@ std::vector<ScriptPoint> make_script(const std::vector<Waypoint>& waypoints, flo
     to.z_m = -(static_cast<double>(w.travel_m) + start);
     to.turns += static_cast<double>(w.turns);
     to.duty = static_cast<double>(w.duty);
+    to.plunger_n = w.plunger_n;
     script.push_back(to);
     last = w;
     if (w.hold_s > 0) {

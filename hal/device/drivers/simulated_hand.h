@@ -34,8 +34,9 @@ struct Waypoint {
   float speed_m_per_s = 0;  // 0: take time_s instead
   float time_s = 0;
   float hold_s = 0;
-  float turns = 0;  // of the base, during the motion
-  float duty = 1;   // fraction of each turn's time in which the base rolls; else it waits
+  float turns = 0;      // of the base, during the motion
+  float duty = 1;       // fraction of each turn's time in which the base rolls; else it waits
+  float plunger_n = 0;  // on a syringe's plunger, during the motion and the stay
 };
 // Time of the motion between two positions, at the second one's speed.
 double seconds_between(const Waypoint& from, const Waypoint& to);
@@ -57,6 +58,7 @@ constexpr std::size_t kHandHistory = (kMaxDelayTicks + 1) * kHandStepsPerTick;
 struct ScriptPoint {
   double t_s, x_m, y_m, z_m;
   double turns = 0, duty = 1;
+  float plunger_n = 0;  // on the way to here
 };
 std::vector<ScriptPoint> make_script(const std::vector<Waypoint>& waypoints, float start_m);
 std::uint64_t script_ticks(const std::vector<ScriptPoint>& script, double period_s);

@@ -25,9 +25,27 @@ stylet_config to_struct(const Config& c) {
 }
 
 stylet_needle to_struct(const NeedleConfig& n) {
-  return {sizeof(stylet_needle), n.length_m,    n.outer_radius_m,     n.unit_m,
-          n.bending_nm2,         n.rods,        n.bevel_per_m,        n.bent_length_m,
-          n.bent_angle_rad,      n.torsion_nm2, n.tip_half_angle_rad, n.torn_diameters};
+  return {sizeof(stylet_needle),
+          n.length_m,
+          n.outer_radius_m,
+          n.unit_m,
+          n.bending_nm2,
+          n.rods,
+          n.bevel_per_m,
+          n.bent_length_m,
+          n.bent_angle_rad,
+          n.torsion_nm2,
+          n.tip_half_angle_rad,
+          n.torn_diameters,
+          static_cast<std::uint32_t>(n.hub),
+          n.bore_radius_m,
+          n.opening_m,
+          n.filling_pa_s,
+          n.plunger_radius_m,
+          n.plunger_friction_n,
+          n.syringe_m3,
+          n.syringe_filled,
+          n.syringe_gas_m3};
 }
 
 // The kernel's default contact on a body of some shape: without one it would be refused.
@@ -76,9 +94,26 @@ void put_config(const stylet_config& c, Config& out) {
 }
 
 NeedleConfig needle(const stylet_needle& n) {
-  return {n.length_m,    n.outer_radius_m,     n.unit_m,        n.bending_nm2,
-          n.rods,        n.bevel_per_m,        n.bent_length_m, n.bent_angle_rad,
-          n.torsion_nm2, n.tip_half_angle_rad, n.torn_diameters};
+  return {n.length_m,
+          n.outer_radius_m,
+          n.unit_m,
+          n.bending_nm2,
+          n.rods,
+          n.bevel_per_m,
+          n.bent_length_m,
+          n.bent_angle_rad,
+          n.torsion_nm2,
+          n.tip_half_angle_rad,
+          n.torn_diameters,
+          static_cast<Hub>(n.hub),
+          n.bore_radius_m,
+          n.opening_m,
+          n.filling_pa_s,
+          n.plunger_radius_m,
+          n.plunger_friction_n,
+          n.syringe_m3,
+          n.syringe_filled,
+          n.syringe_gas_m3};
 }
 
 }  // namespace
@@ -144,10 +179,18 @@ stylet_status stylet_needle_preset(stylet_needle* needle, const char* name) {
   if (!c::take(needle, own)) return STYLET_STRUCT_SIZE_UNKNOWN;
   const hal::NeedlePreset* const preset = hal::find_needle(name);
   if (preset == nullptr) return STYLET_ARGUMENT_OUT_OF_RANGE;
-  NeedleConfig config = hal::needle_of(*preset);
-  config.unit_m = own.unit_m;
-  config.rods = own.rods;
-  (void)c::give(c::to_struct(config), needle);
+  const NeedleConfig config = hal::needle_of(*preset);
+  stylet_needle made = c::to_struct(config);
+  made.unit_m = own.unit_m;
+  made.rods = own.rods;
+  made.hub = own.hub;
+  made.filling_pa_s = own.filling_pa_s;
+  made.plunger_radius_m = own.plunger_radius_m;
+  made.plunger_friction_n = own.plunger_friction_n;
+  made.syringe_m3 = own.syringe_m3;
+  made.syringe_filled = own.syringe_filled;
+  made.syringe_gas_m3 = own.syringe_gas_m3;
+  (void)c::give(made, needle);
   return STYLET_OK;
 }
 

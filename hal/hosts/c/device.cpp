@@ -25,7 +25,7 @@ bool read_own(void* self, std::int64_t now_ns, hal::Sample& sample_out) {
   stylet_sample sample = {};
   sample.struct_bytes = sizeof sample;
   if (own.read(own.self, now_ns, &sample) == 0) return false;
-  sample_out = {sample.seq, sample.t_ns, pose(sample.pose), sample.buttons};
+  sample_out = {sample.seq, sample.t_ns, pose(sample.pose), sample.buttons, sample.plunger_n};
   return true;
 }
 

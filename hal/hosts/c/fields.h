@@ -40,28 +40,28 @@ constexpr auto fields(const stylet_organ_info& of) {
   return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
 }
 constexpr auto fields(const stylet_material& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x);
 }
 constexpr auto fields(const stylet_config& of) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = of;
   return spans(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 constexpr auto fields(const stylet_needle& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k, l);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
 }
 constexpr auto fields(const stylet_obstacle& of) {
   const auto& [a, b, c, d, e, f, g, h] = of;
   return spans(a, b, c, d, e, f, g, h);
 }
 constexpr auto fields(const stylet_input& of) {
-  const auto& [a, b, c] = of;
-  return spans(a, b, c);
+  const auto& [a, b, c, d] = of;
+  return spans(a, b, c, d);
 }
 constexpr auto fields(const stylet_output& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x);
 }
 constexpr auto fields(const stylet_stats& of) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = of;
@@ -76,8 +76,8 @@ constexpr auto fields(const stylet_guard_config& of) {
   return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
 }
 constexpr auto fields(const stylet_sample& of) {
-  const auto& [a, b, c, d, e] = of;
-  return spans(a, b, c, d, e);
+  const auto& [a, b, c, d, e, f] = of;
+  return spans(a, b, c, d, e, f);
 }
 constexpr auto fields(const stylet_guard_report& of) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x] = of;

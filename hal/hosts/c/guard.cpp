@@ -181,7 +181,7 @@ int stylet_guard_sample(stylet_guard* guard, const stylet_sample* sample, int64_
   if (guard == nullptr) return 0;
   stylet_sample own = {};
   const bool answered = sample != nullptr && c::take(sample, own);
-  const hal::Sample taken = {own.seq, own.t_ns, c::pose(own.pose), own.buttons};
+  const hal::Sample taken = {own.seq, own.t_ns, c::pose(own.pose), own.buttons, own.plunger_n};
   return hal::guard_sample(guard->config, guard->force, answered, taken, now_ns) ? 1 : 0;
 }
 

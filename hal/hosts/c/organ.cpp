@@ -208,7 +208,10 @@ stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t inde
                                m.strain_stiffening,
                                m.fracture_toughness_j_per_m2,
                                m.toughness_velocity_exponent,
-                               m.needle_friction_coefficient};
+                               m.needle_friction_coefficient,
+                               m.fluid_pressure_pa,
+                               m.fluid_conductance_m3_per_pa_s,
+                               m.fluid_viscosity_pa_s};
   return c::answer(out, material_out);
 }
 

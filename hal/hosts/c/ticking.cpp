@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/hosts/c/ticking.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
 #include "hal/hosts/c/plain.h"
 #include "hal/hosts/c/sized.h"
 
 namespace stylet::c {
+namespace {
+
+// Of the first version: its last field was the pose.
+constexpr std::size_t kFirstInput = offsetof(stylet_input, handle) + sizeof(stylet_pose);
+
+}  // namespace
 
 Arrays Arrays::from(std::size_t element) const {
   Arrays out = *this;
@@ -21,7 +31,7 @@ Arrays arrays(const stylet_input* inputs, stylet_output* outputs) {
 bool sizes_known(const Arrays& arrays, std::size_t input_count) {
   if (arrays.outputs != nullptr && arrays.output_stride == 0) return false;
   if (arrays.inputs == nullptr || arrays.input_stride == sizeof(stylet_input)) return true;
-  if (arrays.input_stride < sizeof(stylet_input)) return false;
+  if (arrays.input_stride < kFirstInput) return false;
   for (std::size_t i = 0; i < input_count; ++i) {
     if (has_unknown(arrays.from(i).inputs, arrays.input_stride)) return false;
   }
@@ -41,8 +51,10 @@ stylet_status refuse_outputs(stylet_status status, stylet_output* outputs, std::
   return status;
 }
 
-Input to_input(const stylet_input& in) {
-  return {pose(in.handle), in.valid};
+Input to_input(const stylet_input* in, std::uint32_t stride) {
+  stylet_input own = {};
+  std::memcpy(&own, in, std::min<std::size_t>(stride, sizeof own));
+  return {pose(own.handle), own.valid, own.plunger_n};
 }
 
 stylet_output to_output(const Output& out) {
@@ -62,14 +74,23 @@ stylet_output to_output(const Output& out) {
           out.layer,
           out.constraint_particles,
           out.events,
-          out.stiffness_n_per_m};
+          out.stiffness_n_per_m,
+          out.flow.opening_pa,
+          out.flow.hub_pa,
+          out.flow.flow_m3_per_s,
+          out.flow.injected_m3,
+          out.flow.plunger_m,
+          out.flow.plunger_m_per_s,
+          out.flow.filled};
 }
 
 void tick_plain(stylet_simulation& simulation, const Arrays& arrays, std::size_t input_count,
                 std::size_t output_count) {
   Input in[kMaxNeedles];
   Output out[kMaxNeedles];
-  for (std::size_t i = 0; i < input_count; ++i) in[i] = to_input(*arrays.from(i).inputs);
+  for (std::size_t i = 0; i < input_count; ++i) {
+    in[i] = to_input(arrays.from(i).inputs, arrays.input_stride);
+  }
   tick(simulation.kernel, {in, input_count}, {out, output_count});
   for (std::size_t i = 0; i < output_count; ++i) {
     (void)give(to_output(out[i]), arrays.from(i).outputs, arrays.output_stride);

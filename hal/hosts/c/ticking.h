@@ -15,8 +15,8 @@ struct Arrays {
   Arrays from(std::size_t element) const;
 };
 Arrays arrays(const stylet_input* inputs, stylet_output* outputs);
-// Whether the sizes are known, and none of `input_count` inputs holds what we do not know. There is
-// no older input than that of the first version.
+// Whether the sizes are known, and none of `input_count` inputs holds what we do not know. An input
+// that is older than a field has 0 there; none is older than that of the first version.
 bool sizes_known(const Arrays& arrays, std::size_t input_count);
 
 // STYLET_OK: nobody else ticks it.
@@ -29,7 +29,7 @@ void tick_plain(stylet_simulation& simulation, const Arrays& arrays, std::size_t
 // Of a call that was refused: nobody takes what lay there for a force.
 stylet_status refuse_outputs(stylet_status status, stylet_output* outputs, std::size_t count);
 
-Input to_input(const stylet_input& in);
+Input to_input(const stylet_input* in, std::uint32_t stride);
 stylet_output to_output(const Output& out);
 
 }  // namespace stylet::c

@@ -238,6 +238,15 @@ static void create(mxArray** out, const mxArray** in) {
       {"torsion_nm2", &n.torsion_nm2, NULL, NULL},
       {"tip_half_angle_rad", &n.tip_half_angle_rad, NULL, NULL},
       {"torn_diameters", &n.torn_diameters, NULL, NULL},
+      {"hub", NULL, &n.hub, NULL},
+      {"bore_radius_m", &n.bore_radius_m, NULL, NULL},
+      {"opening_m", &n.opening_m, NULL, NULL},
+      {"filling_pa_s", &n.filling_pa_s, NULL, NULL},
+      {"plunger_radius_m", &n.plunger_radius_m, NULL, NULL},
+      {"plunger_friction_n", &n.plunger_friction_n, NULL, NULL},
+      {"syringe_m3", &n.syringe_m3, NULL, NULL},
+      {"syringe_filled", &n.syringe_filled, NULL, NULL},
+      {"syringe_gas_m3", &n.syringe_gas_m3, NULL, NULL},
   };
   take_fields(in[1], of_needle, sizeof of_needle / sizeof *of_needle, "needle");
   take_fields(in[2], of_config, sizeof of_config / sizeof *of_config, "config");
@@ -247,37 +256,47 @@ static void create(mxArray** out, const mxArray** in) {
   out[0] = new_handle(SIMULATION, made);
 }
 
-/* Poses, 7 x n: position and quaternion (w x y z) of the handle in each tick. */
+/* Poses, 7 x n: position and quaternion (w x y z) of the handle in each tick. With an eighth row,
+ * the force on a syringe's plunger. */
 static void run(mxArray** out, const mxArray** in) {
   stylet_simulation* simulation = handle_of(in[0], SIMULATION);
   size_t ticks;
-  const double* poses = columns(in[1], 7, "poses", &ticks);
-  const char* names[] = {"force_n", "torque_nm", "tip_m", "depth_m",
-                         "phase",   "layer",     "flags", "friction_n"};
-  mxArray* to[8];
-  const int rows[8] = {3, 3, 3, 1, 1, 1, 1, 3};
-  out[0] = mxCreateStructMatrix(1, 1, 8, names);
-  for (int f = 0; f < 8; ++f) {
+  const size_t numbers = mxGetM(in[1]) == 8 ? 8 : 7;
+  const double* poses = columns(in[1], numbers, "poses", &ticks);
+  enum { FIELDS = 13 };
+  const char* names[FIELDS] = {
+      "force_n",    "torque_nm", "tip_m",      "depth_m",       "phase",       "layer",    "flags",
+      "friction_n", "hub_pa",    "opening_pa", "flow_m3_per_s", "injected_m3", "plunger_m"};
+  mxArray* to[FIELDS];
+  const int rows[FIELDS] = {3, 3, 3, 1, 1, 1, 1, 3, 1, 1, 1, 1, 1};
+  out[0] = mxCreateStructMatrix(1, 1, FIELDS, names);
+  for (int f = 0; f < FIELDS; ++f) {
     to[f] = mxCreateDoubleMatrix(rows[f], ticks, mxREAL);
     mxSetField(out[0], 0, names[f], to[f]);
   }
   for (size_t i = 0; i < ticks; ++i) {
-    const double* p = poses + 7 * i;
+    const double* p = poses + numbers * i;
     const stylet_input input = {sizeof input,
                                 1,
                                 {{(float)p[0], (float)p[1], (float)p[2]},
-                                 {(float)p[3], (float)p[4], (float)p[5], (float)p[6]}}};
+                                 {(float)p[3], (float)p[4], (float)p[5], (float)p[6]}},
+                                numbers == 8 ? (float)p[7] : 0};
     stylet_output o = {.struct_bytes = sizeof o};
     check(stylet_simulation_tick(simulation, &input, 1, &o, 1), NULL);
-    const double all[8][3] = {{o.force_n.x, o.force_n.y, o.force_n.z},
-                              {o.torque_nm.x, o.torque_nm.y, o.torque_nm.z},
-                              {o.tip_m.x, o.tip_m.y, o.tip_m.z},
-                              {o.depth_m},
-                              {o.phase},
-                              {o.layer == STYLET_NO_LAYER ? mxGetNaN() : o.layer + 1},
-                              {o.flags},
-                              {o.friction_n.x, o.friction_n.y, o.friction_n.z}};
-    for (int f = 0; f < 8; ++f) {
+    const double all[FIELDS][3] = {{o.force_n.x, o.force_n.y, o.force_n.z},
+                                   {o.torque_nm.x, o.torque_nm.y, o.torque_nm.z},
+                                   {o.tip_m.x, o.tip_m.y, o.tip_m.z},
+                                   {o.depth_m},
+                                   {o.phase},
+                                   {o.layer == STYLET_NO_LAYER ? mxGetNaN() : o.layer + 1},
+                                   {o.flags},
+                                   {o.friction_n.x, o.friction_n.y, o.friction_n.z},
+                                   {o.hub_pa},
+                                   {o.opening_pa},
+                                   {o.flow_m3_per_s},
+                                   {o.injected_m3},
+                                   {o.plunger_m}};
+    for (int f = 0; f < FIELDS; ++f) {
       for (int r = 0; r < rows[f]; ++r) mxGetPr(to[f])[rows[f] * i + r] = all[f][r];
     }
   }

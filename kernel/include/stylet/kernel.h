@@ -37,6 +37,13 @@ enum class Inertia : std::uint32_t {
   kTrueMass = 1,
 };
 
+// What closes the needle's other end.
+enum class Hub : std::uint32_t {
+  kClosed = 0,   // nothing flows, and fluid costs nothing
+  kOpen = 1,     // to the air
+  kSyringe = 2,  // Input::plunger_n presses it
+};
+
 // The needle leaves the handle along its -z; unbent, tip = position + rotation * (0, 0, -length).
 // Bevel and bend face the handle's +x and turn with it.
 struct NeedleConfig {
@@ -57,6 +64,16 @@ struct NeedleConfig {
   // Length of the crack that the tip tears, in outer diameters: 1 for a tip with edges, more for
   // one that has none (hal/base/needles.h). Only felt in tissues whose toughness is given.
   float torn_diameters = 1.5F;
+  // Fluid in the bore (PHYSICS 9.7). What follows is only read where the hub is not closed.
+  Hub hub = Hub::kClosed;
+  float bore_radius_m = 0.419e-3F;  // 18G
+  float opening_m = 0;              // its middle, from the tip
+  float filling_pa_s = 1e-3F;       // viscosity of what needle and syringe are filled with: saline
+  float plunger_radius_m = 7.5e-3F;
+  float plunger_friction_n = 0.5F;
+  float syringe_m3 = 10e-6F;     // of the whole barrel
+  float syringe_filled = 0.5F;   // part of it that is full at the start
+  float syringe_gas_m3 = 5e-8F;  // the bubble, or all that gives: a twentieth of a millilitre
 };
 
 // All attachments move together in a prescribed way, A sin^4(pi t / T): a breath that rests at its
@@ -163,7 +180,8 @@ Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles,
 
 struct Input {
   Pose handle;          // pose of the needle's base
-  std::uint32_t valid;  // 0: no sample this tick; the last handle pose is kept and counted
+  std::uint32_t valid;  // 0: no sample this tick; the last input is kept and counted
+  float plunger_n = 0;  // on a syringe's plunger, towards the needle; below 0: it is drawn
 };
 
 enum class Phase : std::uint32_t { kFree = 0, kContact = 1, kInserted = 2, kRetracting = 3 };
@@ -176,9 +194,20 @@ struct ForceByCause {  // each on the needle, world frame; their sum is Output::
   Vec3 obstacle_n;     // contact with obstacles
 };
 
+// What flows through a needle whose hub is not closed; else zero. Pressures above that of the air;
+// flow and volumes towards the tissue.
+struct Flow {
+  float opening_pa, hub_pa;
+  float flow_m3_per_s;  // mean of this tick
+  float injected_m3;    // since reset; below 0: more was taken than given
+  float plunger_m;      // its way since reset, towards the needle
+  float plunger_m_per_s;
+  float filled;  // part of the bore that the tissue's fluid fills
+};
+
 enum OutputFlag : std::uint32_t {
-  kFlagInputNotFinite = 1U << 0,  // a field was NaN or infinite; the last pose was kept
-  kFlagInputClamped = 1U << 1,    // too fast or too far; followed at the limit
+  kFlagInputNotFinite = 1U << 0,  // a field was NaN or infinite; the last one was kept
+  kFlagInputClamped = 1U << 1,    // too fast, too far or too strong; followed at the limit
   kFlagInputMissing = 1U << 2,
   kFlagCpPoolFull = 1U << 3,
   kFlagCpVoxelPoolFull = 1U << 4,
@@ -201,6 +230,7 @@ struct Output {
   std::uint32_t flags;
   std::uint32_t events;     // number of events since reset, of all needles
   float stiffness_n_per_m;  // upper bound of the stiffness felt between two ticks
+  Flow flow;
 };
 constexpr std::uint32_t kNoLayer = 0xFFFFFFFFU;
 
@@ -237,8 +267,11 @@ enum class EventKind : std::uint32_t {
   kPuncture = 2,
   kReentry = 3,  // entered an existing track
   kExit = 4,
-  kLayer = 5,     // tip crossed into another material
-  kObstacle = 6,  // needle touched an obstacle
+  kLayer = 5,      // tip crossed into another material
+  kObstacle = 6,   // needle touched an obstacle
+  kFlashback = 7,  // fluid of the tissue has filled the bore: it shows at the hub
+  // A plunger is pressed, and the tissue at the opening resists less than the bore; before, more.
+  kLossOfResistance = 8,
 };
 const char* event_name(EventKind kind);
 
@@ -247,7 +280,7 @@ struct Event {
   EventKind kind;
   std::uint32_t layer;
   float depth_m;
-  float force_n;  // magnitude along the shaft at the event
+  float force_n;  // magnitude along the shaft at the event; of the last two kinds, on the plunger
   std::uint32_t needle;
   std::uint32_t reserved;
 };

@@ -41,6 +41,12 @@ constexpr float kMaxStrainStiffening = 1e3F;  // a shear of 4.5 % doubles the mo
 // from the needle is no more: it is held there.
 constexpr float kMaxTipForceN = 1000.0F;
 constexpr float kMaxFrictionNPerM = 1e4F;
+// Of the fluid in a tissue: at least half the pressure of the air, at most that of a tourniquet
+// thrice over; what water would pass through a hole of 1 cm; the viscosity of honey.
+constexpr float kMinFluidPa = -5e4F;
+constexpr float kMaxFluidPa = 1e5F;
+constexpr float kMaxConductanceM3PerPaS = 1e-4F;
+constexpr float kMaxViscosityPaS = 10.0F;
 constexpr float kMaxToughnessJPerM2 = 1e5F;  // thrice that of skin torn without a blade
 
 // ---- configuration: checked by sizes and create -------------------------------------------------
@@ -64,6 +70,16 @@ constexpr float kMaxTipHalfAngleRad = 1.39626340F;
 // less than a tenth; a blunt one that punches out a ring tears pi.
 constexpr float kMinTornDiameters = 0.1F;
 constexpr float kMaxTornDiameters = 5.0F;
+// Bore, filling and syringe. Beyond: create refuses. A bore is at most as wide as the needle.
+constexpr float kMinBoreM = 1e-5F;
+constexpr float kMaxOpeningM = 0.02F;
+constexpr float kMinViscosityPaS = 1e-6F;  // of any gas, more
+constexpr float kMinPlungerM = 1e-3F;
+constexpr float kMaxPlungerM = 0.05F;
+constexpr float kMaxPlungerFrictionN = 100.0F;
+constexpr float kMinSyringeM3 = 1e-8F;
+constexpr float kMaxSyringeM3 = 1e-3F;  // a litre
+constexpr float kMinSyringeGasM3 = 1e-10F;
 constexpr float kMaxBreathM = 0.1F;
 constexpr float kMaxGravityMPerS2 = 100.0F;  // tenfold
 constexpr std::uint32_t kMaxNeedles = 4;
@@ -152,6 +168,8 @@ constexpr float kGravityFadeS = 1.0F;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
 constexpr float kMaxHandleSpeedMPerS = 5.0F;
 constexpr float kMaxHandleSpinRadPerS = 60.0F;
+// Force on a plunger; input beyond it is clamped. No thumb presses harder.
+constexpr float kMaxPlungerN = 200.0F;
 // Distance of the handle from the organ's origin; input beyond it is clamped.
 constexpr float kMaxHandleDistanceM = 2.0F;
 

@@ -50,7 +50,13 @@ namespace stylet {
   F(toughness_velocity_exponent, 0, 0.5F, "0 to 0.5", "toughness_velocity_exponent", 1, false)     \
   /* of steel on it: above 0, friction follows from it and the pressure on the shaft, and the */   \
   /* friction above only says how it depends on speed */                                           \
-  F(needle_friction_coefficient, 0, 2, "0 to 2", "needle_friction_coefficient", 1, false)
+  F(needle_friction_coefficient, 0, 2, "0 to 2", "needle_friction_coefficient", 1, false)          \
+  /* of fluid in it: above the air's pressure; what flows per pressure, to or from a needle's */   \
+  /* opening: 0, nothing; viscosity: 0, that of what the needle is filled with */                  \
+  F(fluid_pressure_pa, kMinFluidPa, kMaxFluidPa, "-5e4 to 1e5", "fluid_pressure_kpa", 1e3, false)  \
+  F(fluid_conductance_m3_per_pa_s, 0, kMaxConductanceM3PerPaS, "0 to 1e-4",                        \
+    "fluid_conductance_mm3_per_s_kpa", 1e-12, false)                                               \
+  F(fluid_viscosity_pa_s, 0, kMaxViscosityPaS, "0 to 10", "fluid_viscosity_mpa_s", 1e-3, false)
 
 #define STYLET_MATERIAL_FIELD(field, ...) float field;
 struct Material {

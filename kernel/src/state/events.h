@@ -6,6 +6,8 @@
 
 namespace stylet {
 
+// Of the material that the tip has entered last; or of another one.
 void add_event(State& state, EventKind kind, float force_n);
+void add_event(State& state, EventKind kind, float force_n, std::uint32_t layer);
 
 }  // namespace stylet

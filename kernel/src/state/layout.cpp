@@ -78,6 +78,8 @@ Model needle_model(const Model& model, std::uint32_t needle) {
   const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(needle) - model.needle_index;
   out.rod += n;
   out.forces += n * kMaxMaterials;
+  out.bore += n;
+  out.opening += n * kMaxMaterials;
   out.needle_index = needle;
   return out;
 }
@@ -93,6 +95,7 @@ State needle_state(const State& state, std::uint32_t needle) {
   out.node += n * (kMaxRods + 1);
   out.touch += n * kMaxTouches;
   out.membrane += n;
+  out.fluid += n;
   return out;
 }
 

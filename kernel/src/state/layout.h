@@ -12,12 +12,14 @@
 #include <cstdint>
 
 #include "laws/filter.h"
+#include "laws/fluid.h"
 #include "laws/fracture.h"
 #include "laws/friction.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
 #include "organ/runs.h"
 #include "state/lattice_plan.h"
+#include "state/members.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
 #include "stylet/organ.h"
@@ -40,6 +42,7 @@ struct Counts {
   std::uint32_t stiffening_slots;  // zero if no tissue stiffens
   std::uint32_t needles;
   std::uint32_t membrane_needles, membrane_tracks;  // zero if no membrane is met
+  std::uint32_t fluids;  // needles, or zero if the hubs of all are closed
   // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
   // of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
@@ -199,33 +202,6 @@ struct StateHead {
   double work_by_hand_j, friction_j, cutting_j, relaxation_j, obstacles_j;
 };
 
-// A voxel coupled to the needle in this tick.
-struct CoupledVoxel {
-  std::uint32_t slot, row, first_member, last_member, member_count;
-};
-// Up to kLanes of them in the order of plane_order: where they are, and how their constraint
-// particles change their corners.
-struct MatchGroup {
-  struct Side {                       // low or high, along z
-    std::uint32_t node[2][kLanes];    // particle at the voxel's (x, y + dy)
-    float change_n[2][3][kLanes][2];  // at dx = 0 and 1 of that row
-  };
-  Side side[2];
-  std::uint32_t count;         // voxels
-  std::uint32_t most_members;  // most supports of constraint particles in one of them
-  std::uint32_t first_member[kLanes], member_count[kLanes];
-  std::uint32_t slot[kLanes];
-  float cell[3][kLanes];  // centre at rest, in edges from the lattice's origin
-  float k[kLanes];        // stiffness of a corner
-};
-static_assert(kMaxCoupledVoxels % kLanes == 0);
-struct Member {  // in a coupled voxel: a particle's support; a needle's last particle is its tip
-  std::uint16_t particle, support;
-  std::uint32_t next;  // the next member of the same voxel
-};
-constexpr std::uint32_t kNeedleParticles = kMaxConstraintParticles + 1;
-constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSupportsPerParticle;
-
 struct ScratchHead {
   std::uint32_t coupled_count;
   std::uint32_t substeps_to_come;  // of this tick, after this one
@@ -291,6 +267,10 @@ struct ScratchHead {
   F(rod, RodModel, c.needles)                                                            \
   /* forces: what each needle meets in each tissue (laws/fracture.h) */                  \
   F(forces, NeedleForces, kMaxMaterials* c.needles)                                      \
+  /* bore: each needle's, unless all hubs are closed (laws/fluid.h) */                    \
+  F(bore, Bore, c.fluids)                                                                \
+  /* opening: what each needle's opening meets in each tissue, likewise */                \
+  F(opening, Opening, kMaxMaterials* c.fluids)                                           \
   /* obstacle: convex bodies, as set_obstacles took them */                              \
   F(obstacle, Obstacle, kMaxObstacles)                                                   \
   /* representative: with sheets only: the particle that each node is */                 \
@@ -332,6 +312,8 @@ struct ScratchHead {
   F(node, Vec3, (kMaxRods + 1) * c.needles)                                               \
   /* touch: what it touches of obstacles; written by coupling/touches */                  \
   F(touch, Touch, kMaxTouches* c.needles)                                                 \
+  /* fluid: in each needle, unless all hubs are closed; written by coupling/flow */        \
+  F(fluid, FluidState, c.fluids)                                                          \
   /* track: holes in the tissue; written by coupling/track and insertion */               \
   F(track, Track, kMaxTracks)                                                             \
   /* event: the last kMaxEvents events, a ring; written by state/events */                \

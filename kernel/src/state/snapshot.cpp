@@ -187,6 +187,16 @@ bool sound(const Limits& is, const Touch& t, std::size_t index) {
   return good;
 }
 
+// No pressure is below that of nothing, and what is in the bore resists.
+bool sound(const Limits& is, const FluidState& s, std::size_t) {
+  const double thinnest = s.filled > 0 ? kThinnestPaS / 2 : 0;  // a mean may be rounded
+  return is.number(s.hub_pa) && (is.faulted || s.hub_pa >= kLeastHubPa) &&
+         is.number(s.injected_m3) && is.number(s.swept_m3) && is.number(s.flow_m3_per_s) &&
+         is.part(s.filled) && is.number(s.entered_pa_s) &&
+         (is.faulted || s.entered_pa_s >= thinnest) && is.number(s.plunger_n) && s.resisted <= 1 &&
+         s.shown <= 1;
+}
+
 bool sound(const Limits& is, const Track& t, std::size_t) {
   return is.number(t.entry_rest_m) && is.number(t.direction_rest) && is.number(t.length_m);
 }
@@ -200,7 +210,7 @@ bool sound(const Limits& is, const TrackMembranes& t, std::size_t) {
 }
 
 bool sound(const Limits& is, const Event& e, std::size_t) {
-  return e.kind <= EventKind::kObstacle && is.layer(e.layer) && is.number(e.depth_m) &&
+  return e.kind <= EventKind::kLossOfResistance && is.layer(e.layer) && is.number(e.depth_m) &&
          is.number(e.force_n) && e.needle < is.head().counts.needles && e.reserved == 0;
 }
 

@@ -226,11 +226,14 @@ std::string organ_text(const nlohmann::ordered_json& f) {
   }
   for (const auto& m : f["materials"]) {
     const double stiffening = m["strain_stiffening"].get<double>();
+    const double conductance = m["fluid_conductance_mm3_per_s_kpa"].get<double>();
     text += fmt::format(
-        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}{}  {}\n",
+        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}{}  {}{}\n",
         m["name"].get<std::string>(), m["voxels"].get<std::size_t>(), m["volume_ml"].get<double>(),
         m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(),
-        stiffening > 0 ? fmt::format("  stiffening {:.3g}", stiffening) : "", forces_text(m));
+        stiffening > 0 ? fmt::format("  stiffening {:.3g}", stiffening) : "", forces_text(m),
+        conductance > 0 ? fmt::format("  fluid {:.4g} kPa", m["fluid_pressure_kpa"].get<double>())
+                        : "");
   }
   for (const auto& m : f["membranes"]) {
     text += fmt::format("membrane      {:<14} {:>8} voxels {:>9.4g} cm2\n",

@@ -68,7 +68,8 @@ TEST(CGuard, RandomSessionsAreThoseOfHalsGuard) {
                                       sample.buttons,
                                       sample.seq,
                                       sample.t_ns,
-                                      {{p.x, p.y, p.z}, {1, 0, 0, 0}}};
+                                      {{p.x, p.y, p.z}, {1, 0, 0, 0}},
+                                      0};
       const bool used = guard_sample(config, force, answered, sample, now_ns);
       ASSERT_EQ(stylet_guard_sample(c.get(), answered ? &sample_c : nullptr, now_ns), used ? 1 : 0);
       const Vec3 sent = guard_force(config, force, asked);
@@ -142,7 +143,7 @@ TEST(CGuard, EndFollowsTheClockAndComesInAnyCase) {
     now_ns = kBegin;
     for (int i = 1; i <= 400; ++i, now_ns += kPeriodNs) {
       const stylet_sample sample = {
-          sizeof sample, 0, static_cast<std::uint64_t>(i), now_ns, {{0, 0, 0}, {1, 0, 0, 0}}};
+          sizeof sample, 0, static_cast<std::uint64_t>(i), now_ns, {{0, 0, 0}, {1, 0, 0, 0}}, 0};
       EXPECT_EQ(stylet_guard_sample(guard.get(), &sample, now_ns), 1);
       (void)stylet_guard_force(guard.get(), {0, 0, 3});
     }
@@ -547,7 +548,7 @@ TEST(CGuard, LetsNothingThroughBeforeASampleNorTwiceForOne) {
   for (int i = 0; i < 1000; ++i) {
     EXPECT_EQ(stylet_guard_force(guard.get(), {0, 0, 6}).z, 0);
   }
-  const stylet_sample sample = {sizeof sample, 0, 1, 1'000'000'000, {{0, 0, 0}, {1, 0, 0, 0}}};
+  const stylet_sample sample = {sizeof sample, 0, 1, 1'000'000'000, {{0, 0, 0}, {1, 0, 0, 0}}, 0};
   ASSERT_EQ(stylet_guard_sample(guard.get(), &sample, sample.t_ns), 1);
   const float once = stylet_guard_force(guard.get(), {0, 0, 6}).z;
   for (int i = 0; i < 50; ++i) {
@@ -563,7 +564,7 @@ TEST(CGuard, AForceFadesAfterATripEvenWithoutSamples) {
   config.max_torque_nm = 1;
   for (const std::string what : {"tripped", "no number", "stalled"}) {
     const GuardHandle guard = c_guard(config);
-    stylet_sample sample = {sizeof sample, 0, 1, 1'000'000'000, {{0, 0, 0}, {1, 0, 0, 0}}};
+    stylet_sample sample = {sizeof sample, 0, 1, 1'000'000'000, {{0, 0, 0}, {1, 0, 0, 0}}, 0};
     const auto tick = [&](std::int64_t passed_ns) {
       ++sample.seq;
       sample.t_ns += passed_ns;

@@ -56,6 +56,13 @@ void expect_same_output(const stylet_output& c, const Output& cpp) {
   EXPECT_EQ(c.events, cpp.events);
   expect_same_bytes(c.depth_m, cpp.depth_m);
   expect_same_bytes(c.stiffness_n_per_m, cpp.stiffness_n_per_m);
+  expect_same_bytes(c.opening_pa, cpp.flow.opening_pa);
+  expect_same_bytes(c.hub_pa, cpp.flow.hub_pa);
+  expect_same_bytes(c.flow_m3_per_s, cpp.flow.flow_m3_per_s);
+  expect_same_bytes(c.injected_m3, cpp.flow.injected_m3);
+  expect_same_bytes(c.plunger_m, cpp.flow.plunger_m);
+  expect_same_bytes(c.plunger_m_per_s, cpp.flow.plunger_m_per_s);
+  expect_same_bytes(c.filled, cpp.flow.filled);
 }
 
 // Compares what both sides show between two ticks.
@@ -433,7 +440,7 @@ TEST(CPose, PutsTheTipWhereItIsAsked) {
     const stylet_vec3 tip = {draw.between(-0.1, 0.1), draw.between(-0.1, 0.1),
                              draw.between(0.1, 0.3)};
     const stylet_vec3 way = {draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1)};
-    const stylet_input in = {sizeof in, 1, stylet_pose_of_tip(tip, way, 0.15F)};
+    const stylet_input in = {sizeof in, 1, stylet_pose_of_tip(tip, way, 0.15F), 0};
     stylet_output out = {};
     out.struct_bytes = sizeof out;
     ASSERT_EQ(stylet_simulation_tick(made, &in, 1, &out, 1), STYLET_OK);

@@ -49,6 +49,15 @@ inline stylet_needle to_c(const NeedleConfig& n) {
   out.torsion_nm2 = n.torsion_nm2;
   out.tip_half_angle_rad = n.tip_half_angle_rad;
   out.torn_diameters = n.torn_diameters;
+  out.hub = static_cast<std::uint32_t>(n.hub);
+  out.bore_radius_m = n.bore_radius_m;
+  out.opening_m = n.opening_m;
+  out.filling_pa_s = n.filling_pa_s;
+  out.plunger_radius_m = n.plunger_radius_m;
+  out.plunger_friction_n = n.plunger_friction_n;
+  out.syringe_m3 = n.syringe_m3;
+  out.syringe_filled = n.syringe_filled;
+  out.syringe_gas_m3 = n.syringe_gas_m3;
   return out;
 }
 
@@ -78,6 +87,15 @@ inline DrawnConfig drawn_config(Draw& draw) {
     needle.torsion_nm2 = draw.chance(0.5) ? 0 : draw.magnitude(1e-3, 0.1);
     needle.tip_half_angle_rad = draw.between(0.15, 0.6);
     needle.torn_diameters = draw.between(0.5, 3);
+    needle.hub = static_cast<Hub>(draw.below(3));
+    needle.bore_radius_m = draw.between(0.1e-3, 0.3e-3);
+    needle.opening_m = draw.between(0, 3e-3);
+    needle.filling_pa_s = draw.magnitude(1e-5, 1e-2);
+    needle.plunger_radius_m = draw.between(2e-3, 15e-3);
+    needle.plunger_friction_n = draw.between(0, 1);
+    needle.syringe_m3 = draw.between(1e-6, 2e-5);
+    needle.syringe_filled = draw.between(0, 1);
+    needle.syringe_gas_m3 = draw.magnitude(1e-9, 1e-6);
     out.needles.push_back(to_c(needle));
   }
   return out;
@@ -97,7 +115,8 @@ inline SimulationHandle c_simulation(const stylet_organ* organ, const DrawnConfi
 inline stylet_input to_c(const Input& input) {
   const Vec3 p = input.handle.position_m;
   const Quat q = input.handle.rotation;
-  return {sizeof(stylet_input), input.valid, {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}}};
+  return {
+      sizeof(stylet_input), input.valid, {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}}, input.plunger_n};
 }
 
 // Needles side by side, each with the script of a single one.

@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   while (log != NULL && fread(frame, sizeof frame[0], 6, log) == 6) {
     stylet_output out = {.struct_bytes = sizeof out};
     const stylet_input in = {sizeof in, 1,
-                             stylet_pose_of_tip(from_godot(frame), down, needle.length_m)};
+                             stylet_pose_of_tip(from_godot(frame), down, needle.length_m), 0};
     for (int i = 0; i < atoi(argv[3]); ++i) stylet_simulation_tick(simulation, &in, 1, &out, 1);
     const stylet_vec3 felt = from_godot(frame + 3);
     if (felt.x != out.force_n.x || felt.y != out.force_n.y || felt.z != out.force_n.z) ++others;

@@ -150,7 +150,7 @@ static stylet_input input_at(const session* s, uint32_t needle, uint32_t tick) {
   const stylet_vec3 tip = {from.x + gone_m * way.x, from.y + gone_m * way.y,
                            from.z + gone_m * way.z};
   const stylet_input input = {sizeof input, tick % 97 != 96,
-                              stylet_pose_of_tip(tip, way, s->needle[needle].length_m)};
+                              stylet_pose_of_tip(tip, way, s->needle[needle].length_m), 0};
   return input;
 }
 
@@ -252,7 +252,7 @@ static stylet_sample drawn_sample(uint64_t seq, int64_t t_ns, stylet_vec3* at_m)
   at_m->y += between(-2e-5F, 2e-5F);
   at_m->z += between(-2e-5F, 2e-5F);
   if (draw(700) == 0) at_m->x += 0.5F; /* faster than a hand */
-  const stylet_sample sample = {sizeof sample, draw(2), seq, t_ns, {*at_m, {1, 0, 0, 0}}};
+  const stylet_sample sample = {sizeof sample, draw(2), seq, t_ns, {*at_m, {1, 0, 0, 0}}, 0};
   return sample;
 }
 

@@ -33,7 +33,9 @@ int main(int argc, char** argv) {
   stylet_output out = {.struct_bytes = sizeof out};
   for (int tick = 0; tick <= 2100; ++tick) {
     const stylet_vec3 tip = {at.x, at.y, at.z - 10e-3F * 1e-3F * (float)tick};
-    const stylet_input in = {sizeof in, 1, stylet_pose_of_tip(tip, down, needle.length_m)};
+    const stylet_input in = {.struct_bytes = sizeof in,
+                             .valid = 1,
+                             .handle = stylet_pose_of_tip(tip, down, needle.length_m)};
     stylet_simulation_tick(simulation, &in, 1, &out, 1);
     if (tick % 100 == 0) printf("%6.2f mm  %6.3f N\n", 1e3 * out.depth_m, out.force_n.z);
   }

@@ -75,7 +75,7 @@ class Guard {
     seq_ = seq.value_or(seq_ + 1);
     if (pose.is_none()) return stylet_guard_sample(handle_.get(), nullptr, now_ns) != 0;
     const stylet_sample sample = {
-        sizeof sample, buttons, seq_, now_ns, {{p[0], p[1], p[2]}, {p[3], p[4], p[5], p[6]}}};
+        sizeof sample, buttons, seq_, now_ns, {{p[0], p[1], p[2]}, {p[3], p[4], p[5], p[6]}}, 0};
     return stylet_guard_sample(handle_.get(), &sample, now_ns) != 0;
   }
   Three force(const py::object& force_n) {

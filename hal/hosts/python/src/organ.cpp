@@ -46,7 +46,10 @@ py::object material_of(const stylet_organ* organ, std::uint32_t index) {
       "membrane_n_per_m"_a = m.membrane_n_per_m, "strain_stiffening"_a = m.strain_stiffening,
       "fracture_toughness_j_per_m2"_a = m.fracture_toughness_j_per_m2,
       "toughness_velocity_exponent"_a = m.toughness_velocity_exponent,
-      "needle_friction_coefficient"_a = m.needle_friction_coefficient));
+      "needle_friction_coefficient"_a = m.needle_friction_coefficient,
+      "fluid_pressure_pa"_a = m.fluid_pressure_pa,
+      "fluid_conductance_m3_per_pa_s"_a = m.fluid_conductance_m3_per_pa_s,
+      "fluid_viscosity_pa_s"_a = m.fluid_viscosity_pa_s));
 }
 
 Organ looked_at(stylet_organ* given) {

@@ -48,25 +48,36 @@ py::dtype input_dtype() {
   return dtype_of({STYLET_FIELD(stylet_input, struct_bytes, kUint32),
                    STYLET_FIELD(stylet_input, valid, kUint32),
                    {"position_m", kVec3, offsetof(stylet_input, handle.position_m)},
-                   {"rotation_wxyz", kQuat, offsetof(stylet_input, handle.rotation)}},
+                   {"rotation_wxyz", kQuat, offsetof(stylet_input, handle.rotation)},
+                   STYLET_FIELD(stylet_input, plunger_n, kFloat)},
                   sizeof(stylet_input));
 }
 
 py::dtype output_dtype() {
-  const py::dtype fields = dtype_of(
-      {STYLET_FIELD(stylet_output, flags, kUint32), STYLET_FIELD(stylet_output, tick, kUint64),
-       STYLET_FIELD(stylet_output, force_n, kVec3), STYLET_FIELD(stylet_output, torque_nm, kVec3),
-       STYLET_FIELD(stylet_output, stiffness_n, kVec3),
-       STYLET_FIELD(stylet_output, cutting_n, kVec3),
-       STYLET_FIELD(stylet_output, friction_n, kVec3),
-       STYLET_FIELD(stylet_output, clamping_n, kVec3),
-       STYLET_FIELD(stylet_output, obstacle_n, kVec3), STYLET_FIELD(stylet_output, tip_m, kVec3),
-       STYLET_FIELD(stylet_output, depth_m, kFloat), STYLET_FIELD(stylet_output, phase, kUint32),
-       STYLET_FIELD(stylet_output, layer, kUint32),
-       STYLET_FIELD(stylet_output, constraint_particles, kUint32),
-       STYLET_FIELD(stylet_output, events, kUint32),
-       STYLET_FIELD(stylet_output, stiffness_n_per_m, kFloat)},
-      sizeof(stylet_output));
+  const py::dtype fields = dtype_of({STYLET_FIELD(stylet_output, flags, kUint32),
+                                     STYLET_FIELD(stylet_output, tick, kUint64),
+                                     STYLET_FIELD(stylet_output, force_n, kVec3),
+                                     STYLET_FIELD(stylet_output, torque_nm, kVec3),
+                                     STYLET_FIELD(stylet_output, stiffness_n, kVec3),
+                                     STYLET_FIELD(stylet_output, cutting_n, kVec3),
+                                     STYLET_FIELD(stylet_output, friction_n, kVec3),
+                                     STYLET_FIELD(stylet_output, clamping_n, kVec3),
+                                     STYLET_FIELD(stylet_output, obstacle_n, kVec3),
+                                     STYLET_FIELD(stylet_output, tip_m, kVec3),
+                                     STYLET_FIELD(stylet_output, depth_m, kFloat),
+                                     STYLET_FIELD(stylet_output, phase, kUint32),
+                                     STYLET_FIELD(stylet_output, layer, kUint32),
+                                     STYLET_FIELD(stylet_output, constraint_particles, kUint32),
+                                     STYLET_FIELD(stylet_output, events, kUint32),
+                                     STYLET_FIELD(stylet_output, stiffness_n_per_m, kFloat),
+                                     STYLET_FIELD(stylet_output, opening_pa, kFloat),
+                                     STYLET_FIELD(stylet_output, hub_pa, kFloat),
+                                     STYLET_FIELD(stylet_output, flow_m3_per_s, kFloat),
+                                     STYLET_FIELD(stylet_output, injected_m3, kFloat),
+                                     STYLET_FIELD(stylet_output, plunger_m, kFloat),
+                                     STYLET_FIELD(stylet_output, plunger_m_per_s, kFloat),
+                                     STYLET_FIELD(stylet_output, filled, kFloat)},
+                                    sizeof(stylet_output));
   const py::object record = py::module_::import("numpy").attr("record");
   return py::dtype::from_args(py::make_tuple(record, fields));
 }
@@ -87,18 +98,27 @@ py::dtype config_dtype() {
 }
 
 py::dtype needle_dtype() {
-  return dtype_of(
-      {STYLET_FIELD(stylet_needle, length_m, kFloat),
-       STYLET_FIELD(stylet_needle, outer_radius_m, kFloat),
-       STYLET_FIELD(stylet_needle, unit_m, kFloat),
-       STYLET_FIELD(stylet_needle, bending_nm2, kFloat), STYLET_FIELD(stylet_needle, rods, kUint32),
-       STYLET_FIELD(stylet_needle, bevel_per_m, kFloat),
-       STYLET_FIELD(stylet_needle, bent_length_m, kFloat),
-       STYLET_FIELD(stylet_needle, bent_angle_rad, kFloat),
-       STYLET_FIELD(stylet_needle, torsion_nm2, kFloat),
-       STYLET_FIELD(stylet_needle, tip_half_angle_rad, kFloat),
-       STYLET_FIELD(stylet_needle, torn_diameters, kFloat)},
-      sizeof(stylet_needle));
+  return dtype_of({STYLET_FIELD(stylet_needle, length_m, kFloat),
+                   STYLET_FIELD(stylet_needle, outer_radius_m, kFloat),
+                   STYLET_FIELD(stylet_needle, unit_m, kFloat),
+                   STYLET_FIELD(stylet_needle, bending_nm2, kFloat),
+                   STYLET_FIELD(stylet_needle, rods, kUint32),
+                   STYLET_FIELD(stylet_needle, bevel_per_m, kFloat),
+                   STYLET_FIELD(stylet_needle, bent_length_m, kFloat),
+                   STYLET_FIELD(stylet_needle, bent_angle_rad, kFloat),
+                   STYLET_FIELD(stylet_needle, torsion_nm2, kFloat),
+                   STYLET_FIELD(stylet_needle, tip_half_angle_rad, kFloat),
+                   STYLET_FIELD(stylet_needle, torn_diameters, kFloat),
+                   STYLET_FIELD(stylet_needle, hub, kUint32),
+                   STYLET_FIELD(stylet_needle, bore_radius_m, kFloat),
+                   STYLET_FIELD(stylet_needle, opening_m, kFloat),
+                   STYLET_FIELD(stylet_needle, filling_pa_s, kFloat),
+                   STYLET_FIELD(stylet_needle, plunger_radius_m, kFloat),
+                   STYLET_FIELD(stylet_needle, plunger_friction_n, kFloat),
+                   STYLET_FIELD(stylet_needle, syringe_m3, kFloat),
+                   STYLET_FIELD(stylet_needle, syringe_filled, kFloat),
+                   STYLET_FIELD(stylet_needle, syringe_gas_m3, kFloat)},
+                  sizeof(stylet_needle));
 }
 
 py::dtype obstacle_dtype() {

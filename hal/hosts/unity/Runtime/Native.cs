@@ -42,12 +42,16 @@ public struct Needle {
   public uint rods;
   public float bevel_per_m, bent_length_m, bent_angle_rad, torsion_nm2, tip_half_angle_rad;
   public float torn_diameters;
+  public uint hub;
+  public float bore_radius_m, opening_m, filling_pa_s, plunger_radius_m, plunger_friction_n;
+  public float syringe_m3, syringe_filled, syringe_gas_m3;
 }
 
 [StructLayout(LayoutKind.Sequential)]
 public struct Input {
   public uint struct_bytes, valid;
   public Pose handle;
+  public float plunger_n;
 }
 
 [StructLayout(LayoutKind.Sequential)]
@@ -60,6 +64,7 @@ public struct Output {
   public float depth_m;
   public uint phase, layer, constraint_particles, events;
   public float stiffness_n_per_m;
+  public float opening_pa, hub_pa, flow_m3_per_s, injected_m3, plunger_m, plunger_m_per_s, filled;
 }
 
 [StructLayout(LayoutKind.Sequential)]

@@ -182,6 +182,9 @@ typedef struct {
   /* Above 0, forces follow from these and from the needle, instead of those above. */
   float fracture_toughness_j_per_m2, toughness_velocity_exponent;
   float needle_friction_coefficient;
+  /* Of fluid in it: above the air's pressure; per pressure, to or from a needle's opening (0: no
+   * fluid flows); 0: as viscous as what the needle is filled with. */
+  float fluid_pressure_pa, fluid_conductance_m3_per_pa_s, fluid_viscosity_pa_s;
 } stylet_material;
 STYLET_API stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                                    stylet_material* material_out);
@@ -240,10 +243,19 @@ typedef struct {
   /* Length of the crack that the tip tears, in outer diameters: 1 with edges, 1.5 a cone. Felt in
    * tissues whose toughness is given. */
   float torn_diameters;
+  uint32_t hub; /* 0: closed, nothing flows; 1: open to the air; 2: a syringe */
+  /* Only read where the hub is not closed. */
+  float bore_radius_m;
+  float opening_m;    /* its middle, from the tip */
+  float filling_pa_s; /* viscosity of what needle and syringe are filled with */
+  float plunger_radius_m, plunger_friction_n;
+  float syringe_m3, syringe_filled; /* barrel, and the part of it that is full at the start */
+  float syringe_gas_m3;             /* in it, at the pressure of the air */
 } stylet_needle;
 STYLET_API stylet_status stylet_needle_init(stylet_needle* needle, size_t struct_bytes);
-/* Makes it the needle of this name, such as "22G-quincke": diameters, length, stiffness (it bends)
- * and tip; unit_m and rods stay. STYLET_ARGUMENT_OUT_OF_RANGE: there is none of that name. */
+/* Makes it the needle of this name, such as "22G-quincke": diameters, length, stiffness (it bends),
+ * tip and opening; unit_m, rods, hub, filling and syringe stay. STYLET_ARGUMENT_OUT_OF_RANGE: there
+ * is none of that name. */
 STYLET_API stylet_status stylet_needle_preset(stylet_needle* needle, const char* name);
 /* The names of the needles, by number from 0; null after the last. */
 STYLET_API const char* stylet_needle_preset_name(uint32_t index);
@@ -296,15 +308,16 @@ STYLET_API stylet_status stylet_simulation_reset(stylet_simulation* simulation);
 
 typedef struct {
   uint32_t struct_bytes;
-  uint32_t valid;     /* 0: no sample this tick; the last pose is kept and counted */
+  uint32_t valid;     /* 0: no sample this tick; the last one is kept and counted */
   stylet_pose handle; /* of the needle's base, in the world */
+  float plunger_n;    /* on a syringe's plunger, towards the needle */
 } stylet_input;
 
 enum { STYLET_FREE = 0, STYLET_CONTACT = 1, STYLET_INSERTED = 2, STYLET_RETRACTING = 3 };
 
 enum {
   STYLET_FLAG_INPUT_NOT_FINITE = 1 << 0,
-  STYLET_FLAG_INPUT_CLAMPED = 1 << 1, /* too fast or too far; followed at the limit */
+  STYLET_FLAG_INPUT_CLAMPED = 1 << 1, /* too fast, far or strong; followed at the limit */
   STYLET_FLAG_INPUT_MISSING = 1 << 2,
   STYLET_FLAG_CP_POOL_FULL = 1 << 3,
   STYLET_FLAG_CP_VOXEL_POOL_FULL = 1 << 4,
@@ -330,6 +343,13 @@ typedef struct {
   uint32_t constraint_particles;
   uint32_t events;         /* since reset, of all needles */
   float stiffness_n_per_m; /* upper bound of the stiffness felt between two ticks */
+  /* Fluid in a needle whose hub is not closed: pressures above the air's; flow and volume given
+   * count towards the tissue; way and speed of the plunger; part of the bore that the tissue's
+   * fluid fills. */
+  float opening_pa, hub_pa;
+  float flow_m3_per_s, injected_m3;
+  float plunger_m, plunger_m_per_s;
+  float filled;
 } stylet_output;
 
 /* One tick: input i moves needle i, output i is its answer. Either count may be less than the
@@ -386,14 +406,16 @@ enum {
   STYLET_EVENT_PUNCTURE = 2,
   STYLET_EVENT_REENTRY = 3, /* entered an existing track */
   STYLET_EVENT_EXIT = 4,
-  STYLET_EVENT_LAYER = 5,   /* tip crossed into another material */
-  STYLET_EVENT_OBSTACLE = 6 /* needle touched an obstacle */
+  STYLET_EVENT_LAYER = 5,             /* tip crossed into another material */
+  STYLET_EVENT_OBSTACLE = 6,          /* needle touched an obstacle */
+  STYLET_EVENT_FLASHBACK = 7,         /* fluid of the tissue has come to the hub */
+  STYLET_EVENT_LOSS_OF_RESISTANCE = 8 /* a pressed plunger gives way in the tissue */
 };
 STYLET_API const char* stylet_event_name(uint32_t kind);
 typedef struct {
   uint64_t tick;
   uint32_t kind, layer;
-  float depth_m, force_n; /* magnitude along the shaft */
+  float depth_m, force_n; /* magnitude along the shaft; of the last two, on the plunger */
   uint32_t needle, reserved;
 } stylet_event;
 /* The newest events, oldest first. Returns how many it wrote. */

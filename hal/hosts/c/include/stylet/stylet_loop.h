@@ -75,6 +75,7 @@ typedef struct {
   uint64_t seq;     /* grows with every new sample */
   int64_t t_ns;     /* when it was taken, on the clock of now_ns */
   stylet_pose pose; /* of the handle, in the device's frame */
+  float plunger_n;  /* on a syringe's plunger, of a device that has one */
 } stylet_sample;
 
 typedef struct {

@@ -61,6 +61,9 @@ class Material:
     fracture_toughness_j_per_m2: float
     toughness_velocity_exponent: float
     needle_friction_coefficient: float
+    fluid_pressure_pa: float
+    fluid_conductance_m3_per_pa_s: float
+    fluid_viscosity_pa_s: float
 
 class Pool:
     used: int

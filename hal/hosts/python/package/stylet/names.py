@@ -63,3 +63,5 @@ class Event(enum.IntEnum):
     EXIT = 4
     LAYER = 5
     OBSTACLE = 6
+    FLASHBACK = 7
+    LOSS_OF_RESISTANCE = 8

@@ -11,7 +11,7 @@ from stylet.simulation import Simulation
 from stylet.structs import Config, Needle, Obstacle
 
 FORMAT = "stylet-recording"
-FORMAT_VERSION = 5  # hal/record/recording_format.h
+FORMAT_VERSION = 6  # hal/record/recording_format.h
 MOST_TEXT_BYTES = 1 << 24  # as the programs (hal/record/recording_format.cpp)
 MOST_CHUNK_BYTES = 16 * 4096 * 4 * 8  # as the programs (hal/record/hdf5_table.cpp)
 TICKS_OF_PART = 100_000  # of a replay at a time: 3.6 MB of inputs a needle

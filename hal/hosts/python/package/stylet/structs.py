@@ -12,7 +12,8 @@ from stylet import _stylet
 from stylet.given import real
 
 # Words that scenes use for numbers.
-WORDS = {"mode": ("physical", "paper"), "inertia": ("added_mass", "true_mass")}
+WORDS = {"mode": ("physical", "paper"), "inertia": ("added_mass", "true_mass"),
+         "hub": ("closed", "open", "syringe")}
 
 
 class Struct:
@@ -114,6 +115,15 @@ class Needle(Struct):
     torsion_nm2: float
     tip_half_angle_rad: float
     torn_diameters: float
+    hub: int  # or "closed", "open", "syringe"; what follows is only read if it is not closed
+    bore_radius_m: float
+    opening_m: float  # its middle, from the tip
+    filling_pa_s: float
+    plunger_radius_m: float
+    plunger_friction_n: float
+    syringe_m3: float
+    syringe_filled: float
+    syringe_gas_m3: float
 
     @classmethod
     def preset(cls, name, **fields):

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a needle's opening is, and what flows through it there (laws/fluid.h).
+//
+// The layer in which the middle of the opening lies gives a pressure and a resistance. The flow
+// moves no tissue.
+// Promises: no allocation; nothing is done for a needle whose hub is closed. Units SI. PHYSICS 9.7.
+#pragma once
+
+#include "needle/shape.h"
+#include "state/layout.h"
+
+namespace stylet {
+
+// The force on a syringe's plunger, checked and clamped; returns flags.
+std::uint32_t accept_plunger(const Model& model, State& state, const Input& input);
+
+// One tick of flow; writes Output::flow and the events of fluid.
+void move_fluid(const Model& model, State& state, const Needle& needle, Output& out);
+
+}  // namespace stylet
