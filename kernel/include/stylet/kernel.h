@@ -64,7 +64,7 @@ struct NeedleConfig {
   // Length of the crack that the tip tears, in outer diameters: 1 for a tip with edges, more for
   // one that has none (hal/base/needles.h). Only felt in tissues whose toughness is given.
   float torn_diameters = 1.5F;
-  // Fluid in the bore (PHYSICS 9.7). What follows is only read where the hub is not closed.
+  // Fluid in the bore (PHYSICS 9.9). What follows is only read where the hub is not closed.
   Hub hub = Hub::kClosed;
   float bore_radius_m = 0.419e-3F;  // 18G
   float opening_m = 0;              // its middle, from the tip

@@ -3,7 +3,7 @@
 //
 // The layer in which the middle of the opening lies gives a pressure and a resistance. The flow
 // moves no tissue.
-// Promises: no allocation; nothing is done for a needle whose hub is closed. Units SI. PHYSICS 9.7.
+// Promises: no allocation; nothing is done for a needle whose hub is closed. Units SI. PHYSICS 9.9.
 #pragma once
 
 #include "needle/shape.h"

@@ -10,7 +10,7 @@
 //
 // Flow, volumes and ways count as positive towards the tissue; pressures are those above the air's.
 // Promises: only + - * / and square root, no loop; finite for every accepted configuration.
-// Units SI. PHYSICS 9.7.
+// Units SI. PHYSICS 9.9.
 #pragma once
 
 #include <cmath>

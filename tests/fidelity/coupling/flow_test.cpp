@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fluid through the whole kernel: needles that go through a tight layer into one that holds fluid.
 // Where pressure and flow begin is the geometry of the layers and of the opening, what they are the
-// closed forms of PHYSICS 9.7; and a closed hub changes nothing.
+// closed forms of PHYSICS 9.9; and a closed hub changes nothing.
 
 #include <gtest/gtest.h>
 
