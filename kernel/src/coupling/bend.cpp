@@ -175,6 +175,7 @@ std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, N
   const Vec3 shift = attachment_shift(model, state);
   const Mat3 r = rotation_matrix(own.handle.rotation);
   own.base_m = own.handle.position_m - shift;
+  const Vec3 before_m[2] = {state.node[0], state.node[1]};
   std::uint32_t flags = 0;
   if (is_elastic(config)) {
     // In the tissue the second bend gives the touches.
@@ -194,7 +195,9 @@ std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, N
     needle_out.side = carried(needle_out.side, from, to);
     needle_out.tip_direction = from = to;
   }
-  if (!is_elastic(config)) flags |= touch_obstacles(model, state, scratch, needle_out, shift);
+  if (!is_elastic(config)) {
+    flags |= touch_obstacles(model, state, scratch, needle_out, before_m, shift);
+  }
   return flags;
 }
 

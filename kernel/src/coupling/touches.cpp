@@ -29,6 +29,14 @@ Vec3d world_origin(const State& state, Vec3 shift) {
   return to_double(state.needle->base_m) + to_double(shift);
 }
 
+// Where the needle held a piece before it was placed anew. One that was nowhere has come from
+// nowhere: it is where it is now.
+Segment before_of(const Vec3* node_m, Vec3d shift_m, const Segment& now_m) {
+  const Segment before = {to_double(node_m[0]) + shift_m, to_double(node_m[1]) + shift_m};
+  const Vec3d along = before.b_m - before.a_m;
+  return dot(along, along) > 0 ? before : now_m;
+}
+
 RodFace rod_face(const Model& model, const Near& near, Vec3d origin_m) {
   const ObstacleConfig& config = model.obstacle[near.body].config;
   return {(near.rod + static_cast<double>(near.face.place)) * model.rod->rod_m,
@@ -90,9 +98,10 @@ void look_around(const Model& model, const State& state, const Scratch& scratch,
       }
       Near found = {body, rod, {}, last};
       const Seen at = seen(before, body, rod);
+      const Approach from = {at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0},
+                             before_of(state.node + rod, to_double(shift), axis)};
       if (!find_face(model.obstacle[body], axis, radius_m,
-                     last != nullptr ? last->contact : ObstacleContact{}, now,
-                     at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0}, kReachM,
+                     last != nullptr ? last->contact : ObstacleContact{}, now, from, kReachM,
                      found.face)) {
         continue;
       }
@@ -161,15 +170,18 @@ std::uint32_t enter_touches(const Model& model, State& state, Scratch& scratch,
 }
 
 std::uint32_t touch_obstacles(const Model& model, State& state, Scratch& scratch,
-                              const Needle& needle, Vec3 shift) {
+                              const Needle& needle, const Vec3 before_m[2], Vec3 shift) {
   std::uint32_t count = 0;
   for (std::uint32_t body = 0; body < model.head->obstacle_count; ++body) {
     const NeedlePiece piece = {needle.node[0] + shift, needle.node[1] + shift,
                                model.needle_config().outer_radius_m};
     const Touch* const last = remembered(state, body, 0);
     ObstacleContact next = {};
-    const ObstacleLoad load = obstacle_load(
-        model.obstacle[body], piece, last != nullptr ? last->contact : ObstacleContact{}, next);
+    const Segment before =
+        before_of(before_m, to_double(shift), {to_double(piece.a_m), to_double(piece.b_m)});
+    const ObstacleLoad load =
+        obstacle_load(model.obstacle[body], piece, before,
+                      last != nullptr ? last->contact : ObstacleContact{}, next);
     state.head->obstacles_j += static_cast<double>(load.dissipated_j);
     if (!(load.depth_m > 0)) continue;
     scratch.touch[count++] = {body,

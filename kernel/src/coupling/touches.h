@@ -32,15 +32,16 @@ struct Nearest {
   RodFaces faces;
 };
 
-// For all pieces, at the shape of the rods' result, and all bodies.
+// For all pieces, at the shape of the rods' result, and all bodies. The state still holds the shape
+// before.
 void look_around(const Model& model, const State& state, const Scratch& scratch, Vec3 shift,
                  const Nearest& before, Nearest& out);
 
 std::uint32_t enter_touches(const Model& model, State& state, Scratch& scratch,
                             const Nearest& nearest);
 
-// For a rigid needle: it goes where the hand goes.
+// For a rigid needle: it goes where the hand goes. `before_m`: its nodes before it did.
 std::uint32_t touch_obstacles(const Model& model, State& state, Scratch& scratch,
-                              const Needle& needle, Vec3 shift);
+                              const Needle& needle, const Vec3 before_m[2], Vec3 shift);
 
 }  // namespace stylet

@@ -64,11 +64,22 @@ Closest view_along(const ConvexHull& hull, const Segment& axis, Vec3d out, doubl
   return closest(hull, {axis.a_m + shift, axis.b_m + shift});
 }
 
-Closest view(const ConvexHull& hull, const Segment& axis, double margin, Vec3d last_normal) {
+// A piece that has come in since the last call leaves where it came in: no point of it is deeper
+// along that direction than it has moved.
+Vec3d first_way_out(const Obstacle& obstacle, const Segment& axis, const Segment& before_m) {
+  const ConvexHull hull = hull_of(obstacle);
+  const Vec3d back = closest(hull, in_body(obstacle, before_m)).normal;
+  return dot(back, back) > 0 ? back : way_out(hull, axis);
+}
+
+Closest view(const Obstacle& obstacle, const Segment& axis, double margin, Vec3d last_normal,
+             const Segment& before_m) {
+  const ConvexHull hull = hull_of(obstacle);
   const bool remembers = dot(last_normal, last_normal) > 0;
   const Closest near = closest(hull, axis);
   if (near.distance_m >= margin || (!remembers && near.distance_m > 0)) return near;
-  return view_along(hull, axis, remembers ? last_normal : way_out(hull, axis), margin);
+  const Vec3d out = remembers ? last_normal : first_way_out(obstacle, axis, before_m);
+  return view_along(hull, axis, out, margin);
 }
 
 double depth_along(const ConvexHull& hull, Vec3d normal, Vec3d point, double rounding) {
@@ -182,15 +193,15 @@ Mat3 obstacle_stiffness(const Obstacle& obstacle, Vec3 normal, double depth_m, b
 }
 
 bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
-               const ObstacleContact& last, Vec3d now_m, Vec3d seen, double reach_m,
+               const ObstacleContact& last, Vec3d now_m, const Approach& from, double reach_m,
                ObstacleFace& out) {
   const double rounding = rounding_of(obstacle, radius_m);
   const Segment axis = in_body(obstacle, axis_m);
   if (is_far(obstacle, axis, rounding + reach_m)) return false;
   const ConvexHull hull = hull_of(obstacle);
   const bool known = !is_zero(last.normal);
-  const Vec3d before = to_body(obstacle.rotation, known ? to_double(last.normal) : seen);
-  const Closest closest = view(hull, axis, kCoreShare * rounding, before);
+  const Vec3d before = to_body(obstacle.rotation, known ? to_double(last.normal) : from.seen);
+  const Closest closest = view(obstacle, axis, kCoreShare * rounding, before, from.before_m);
   out = {};
   out.place = static_cast<float>(closest.place);
   Vec3d normal = closest.normal;
@@ -226,15 +237,16 @@ double face_loss(const Obstacle& obstacle, const ObstacleFace& face, const Obsta
 }
 
 ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
-                           const ObstacleContact& last, ObstacleContact& next_out) {
+                           const Segment& before_m, const ObstacleContact& last,
+                           ObstacleContact& next_out) {
   next_out = {};
   ObstacleLoad load = {};
   if (!is_finite(piece.a_m) || !is_finite(piece.b_m) || !is_finite(piece.radius_m)) return load;
   const Segment axis = axis_of(piece);
   const Vec3d now = point_on(axis, static_cast<double>(last.place));
   ObstacleFace face = {};
-  (void)find_face(obstacle, axis, static_cast<double>(piece.radius_m), last, now, {0, 0, 0}, 0,
-                  face);
+  (void)find_face(obstacle, axis, static_cast<double>(piece.radius_m), last, now,
+                  {{0, 0, 0}, before_m}, 0, face);
   const ObstacleConfig& config = obstacle.config;
   const double k = static_cast<double>(config.stiffness_n_per_m);
   const Press pressed = press_of(config, face.depth_m);

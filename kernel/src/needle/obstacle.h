@@ -77,11 +77,16 @@ struct ObstacleFace {
   bool goes_on;         // continues the contact of the last call
 };
 
+// From where a piece that touched nothing has come into a body: that side is its way out.
+struct Approach {
+  Vec3d seen;        // the direction out of the body when it was last seen; zero: it was not
+  Segment before_m;  // else: where the piece's axis was before
+};
+
 // Finds a face that is nearer than `reach_m`. `last`: what the contact remembers. `now_m`: where
-// its point of the needle is now. `seen`: the direction out of the body when it was last seen, else
-// zero: the way out for a needle that is inside and has touched nothing.
+// its point of the needle is now.
 bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
-               const ObstacleContact& last, Vec3d now_m, Vec3d seen, double reach_m,
+               const ObstacleContact& last, Vec3d now_m, const Approach& from, double reach_m,
                ObstacleFace& out);
 
 // Energy in J that slip, turning and release take from a contact. The contact ends `moved_m` from
@@ -106,7 +111,9 @@ struct ObstacleLoad {
   std::uint32_t slips;
 };
 
+// `before_m`: the piece's axis in the last call.
 ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
-                           const ObstacleContact& last, ObstacleContact& next_out);
+                           const Segment& before_m, const ObstacleContact& last,
+                           ObstacleContact& next_out);
 
 }  // namespace stylet
