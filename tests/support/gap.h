@@ -19,8 +19,8 @@ inline Gap gap_of(const Obstacle& obstacle, const NeedlePiece& piece) {
   constexpr double kAnyM = 1e3;  // far beyond the size of a body or a needle
   const Segment axis = {to_double(piece.a_m), to_double(piece.b_m)};
   ObstacleFace face = {};
-  (void)find_face(obstacle, axis, static_cast<double>(piece.radius_m), {}, {}, {{}, axis}, kAnyM,
-                  face);
+  (void)find_face(obstacle, axis, static_cast<double>(piece.radius_m), {}, {}, {{}, axis},
+                  {kAnyM, 0}, face);
   return {static_cast<float>(-face.depth_m), to_float(face.normal), face.place};
 }
 

@@ -402,11 +402,11 @@ TEST(Edges, APieceThatIsNotFiniteTouchesNothing) {
   const NeedlePiece good = {{-0.05F, 0, 0}, {0.05F, 0, 0}, 1e-3F};
   ObstacleContact next = {};
   const Segment far = {{0, 0, 1}, {0, 0, 2}};
-  EXPECT_GT(obstacle_load(obstacle, good, far, {}, next).depth_m, 0);
+  EXPECT_GT(obstacle_load(obstacle, good, far, 0.1, {}, next).depth_m, 0);
   for (int part = 0; part < 3; ++part) {
     NeedlePiece bad = good;
     (part == 0 ? bad.a_m.y : part == 1 ? bad.b_m.z : bad.radius_m) = kNan;
-    EXPECT_EQ(obstacle_load(obstacle, bad, far, {}, next).depth_m, 0) << part;
+    EXPECT_EQ(obstacle_load(obstacle, bad, far, 0.1, {}, next).depth_m, 0) << part;
   }
 }
 

@@ -161,8 +161,8 @@ constexpr std::uint32_t kMaxGjkSteps = 32;
 // Additional walks where a needle appears inside an obstacle. Reached: it is pushed out across
 // its axis.
 constexpr std::uint32_t kMaxEscapeSupports = 64;
-// Turn of an obstacle contact's normal in one tick. Reached: the rest follows in the next ticks.
-constexpr float kMaxNormalTurnRad = 0.1F;
+// Turn of an obstacle contact's normal in one second. Reached: the rest follows in the next ticks.
+constexpr float kMaxNormalTurnRadPerS = 100.0F;
 // Time in which weight comes in after reset, so that an organ sinks and does not swing.
 constexpr float kGravityFadeS = 1.0F;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.

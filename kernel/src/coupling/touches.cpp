@@ -54,6 +54,10 @@ RodFace rod_face(const Model& model, const Near& near, Vec3d origin_m) {
           0};
 }
 
+double most_turn_rad(const Model& model) {
+  return static_cast<double>(kMaxNormalTurnRadPerS * model.head->config.period_s);
+}
+
 // In a full list, the place of the least deep face; null: the new face is left out.
 Near* place_for(Nearest& out, double depth_m) {
   if (out.faces.count < kMaxTouches) return out.near + out.faces.count++;
@@ -101,8 +105,8 @@ void look_around(const Model& model, const State& state, const Scratch& scratch,
       const Approach from = {at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0},
                              before_of(state.node + rod, to_double(shift), axis)};
       if (!find_face(model.obstacle[body], axis, radius_m,
-                     last != nullptr ? last->contact : ObstacleContact{}, now, from, kReachM,
-                     found.face)) {
+                     last != nullptr ? last->contact : ObstacleContact{}, now, from,
+                     {kReachM, most_turn_rad(model)}, found.face)) {
         continue;
       }
       Near* const place = place_for(out, found.face.depth_m);
@@ -180,7 +184,7 @@ std::uint32_t touch_obstacles(const Model& model, State& state, Scratch& scratch
     const Segment before =
         before_of(before_m, to_double(shift), {to_double(piece.a_m), to_double(piece.b_m)});
     const ObstacleLoad load =
-        obstacle_load(model.obstacle[body], piece, before,
+        obstacle_load(model.obstacle[body], piece, before, most_turn_rad(model),
                       last != nullptr ? last->contact : ObstacleContact{}, next);
     state.head->obstacles_j += static_cast<double>(load.dissipated_j);
     if (!(load.depth_m > 0)) continue;

@@ -86,14 +86,13 @@ double depth_along(const ConvexHull& hull, Vec3d normal, Vec3d point, double rou
   return rounding + reach(hull, normal) - dot(normal, point);
 }
 
-// Turns towards `target`, by at most kMaxNormalTurnRad (to third order).
-Vec3d turn(Vec3d from, Vec3d target) {
-  constexpr double kMost = static_cast<double>(kMaxNormalTurnRad);
+// Turns towards `target`, by at most `most_rad` (to third order).
+Vec3d turn(Vec3d from, Vec3d target, double most_rad) {
   const double along = dot(from, target);
   const Vec3d across = target - along * from;
   const double sine = norm(across);
-  if (along < kThroughCosine || (along > 0 && sine <= kMost * along)) return target;
-  const Vec3d turned = from + (kMost / sine) * across;
+  if (along < kThroughCosine || (along > 0 && sine <= most_rad * along)) return target;
+  const Vec3d turned = from + (most_rad / sine) * across;
   return (1 / norm(turned)) * turned;
 }
 
@@ -193,11 +192,11 @@ Mat3 obstacle_stiffness(const Obstacle& obstacle, Vec3 normal, double depth_m, b
 }
 
 bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
-               const ObstacleContact& last, Vec3d now_m, const Approach& from, double reach_m,
-               ObstacleFace& out) {
+               const ObstacleContact& last, Vec3d now_m, const Approach& from,
+               const FaceLimits& limits, ObstacleFace& out) {
   const double rounding = rounding_of(obstacle, radius_m);
   const Segment axis = in_body(obstacle, axis_m);
-  if (is_far(obstacle, axis, rounding + reach_m)) return false;
+  if (is_far(obstacle, axis, rounding + limits.reach_m)) return false;
   const ConvexHull hull = hull_of(obstacle);
   const bool known = !is_zero(last.normal);
   const Vec3d before = to_body(obstacle.rotation, known ? to_double(last.normal) : from.seen);
@@ -208,7 +207,7 @@ bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
   if (known) {
     out.goes_on = dot(before, normal) >= kThroughCosine;
     out.depth_last_m = depth_along(hull, before, in_body(obstacle, now_m), rounding);
-    normal = turn(before, normal);
+    normal = turn(before, normal, limits.turn_rad);
   }
   const double place = static_cast<double>(out.place);
   out.depth_m = depth_along(hull, normal, point_on(axis, place), rounding);
@@ -217,7 +216,7 @@ bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
   if (out.goes_on) {
     out.bristle_m = across(out.normal, to_double(last.bristle_m) + (now_m - last.at_m));
   }
-  return out.depth_m > -reach_m;
+  return out.depth_m > -limits.reach_m;
 }
 
 double face_loss(const Obstacle& obstacle, const ObstacleFace& face, const ObstacleContact& last,
@@ -237,7 +236,7 @@ double face_loss(const Obstacle& obstacle, const ObstacleFace& face, const Obsta
 }
 
 ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
-                           const Segment& before_m, const ObstacleContact& last,
+                           const Segment& before_m, double turn_rad, const ObstacleContact& last,
                            ObstacleContact& next_out) {
   next_out = {};
   ObstacleLoad load = {};
@@ -246,7 +245,7 @@ ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
   const Vec3d now = point_on(axis, static_cast<double>(last.place));
   ObstacleFace face = {};
   (void)find_face(obstacle, axis, static_cast<double>(piece.radius_m), last, now,
-                  {{0, 0, 0}, before_m}, 0, face);
+                  {{0, 0, 0}, before_m}, {0, turn_rad}, face);
   const ObstacleConfig& config = obstacle.config;
   const double k = static_cast<double>(config.stiffness_n_per_m);
   const Press pressed = press_of(config, face.depth_m);

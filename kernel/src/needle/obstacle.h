@@ -4,8 +4,8 @@
 //
 // Promises: no allocation, a bounded number of operations, finite results for every finite piece.
 // The force never exceeds sqrt(1 + friction^2) times the largest force. A contact turns by at most
-// kMaxNormalTurnRad a call while the needle does not pass through the body. Touch and slip only
-// take energy, as the step goes to zero. Bodies stand still. Units: SI. Frames: pieces, forces
+// kMaxNormalTurnRadPerS while the needle does not pass through the body. Touch and slip only take
+// energy, as the step goes to zero. Bodies stand still. Units: SI. Frames: pieces, forces
 // and states in the world; a body's vertices in its own frame. Source: the law is ours; friction is
 // Coulomb's, as a return map (an elastic bristle that slips at its limit).
 //
@@ -83,11 +83,16 @@ struct Approach {
   Segment before_m;  // else: where the piece's axis was before
 };
 
-// Finds a face that is nearer than `reach_m`. `last`: what the contact remembers. `now_m`: where
-// its point of the needle is now.
+// How near a face must be, and how far a normal may turn since the last call.
+struct FaceLimits {
+  double reach_m, turn_rad;
+};
+
+// Finds a face within these limits. `last`: what the contact remembers. `now_m`: where its point of
+// the needle is now.
 bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
-               const ObstacleContact& last, Vec3d now_m, const Approach& from, double reach_m,
-               ObstacleFace& out);
+               const ObstacleContact& last, Vec3d now_m, const Approach& from,
+               const FaceLimits& limits, ObstacleFace& out);
 
 // Energy in J that slip, turning and release take from a contact. The contact ends `moved_m` from
 // where the face was found, with the bristle `bristle_m`.
@@ -111,9 +116,9 @@ struct ObstacleLoad {
   std::uint32_t slips;
 };
 
-// `before_m`: the piece's axis in the last call.
+// `before_m`: the piece's axis in the last call. `turn_rad`: how far a normal may turn since then.
 ObstacleLoad obstacle_load(const Obstacle& obstacle, const NeedlePiece& piece,
-                           const Segment& before_m, const ObstacleContact& last,
+                           const Segment& before_m, double turn_rad, const ObstacleContact& last,
                            ObstacleContact& next_out);
 
 }  // namespace stylet

@@ -42,11 +42,12 @@ ObstacleConfig bone(float friction, float tilt_rad = 0) {
 }
 
 // The tissue is far away: only bone is felt.
-Rig make_bone(const NeedleConfig& needle, const ObstacleConfig& body) {
+Rig make_bone(const NeedleConfig& needle, const ObstacleConfig& body, float period_s = 1e-3F) {
   TinyOrgan tiny;
   tiny.nx = tiny.ny = tiny.nz = 2;
   tiny.origin_m = {0.3F, 0, 0};
   Config config;
+  config.period_s = period_s;
   config.needle[0] = needle;
   Rig rig = make_rig(tiny, config);
   if (set_obstacles(rig.kernel(), {&body, 1}) != Status::kOk) std::abort();
@@ -212,6 +213,31 @@ TEST(Bone, ReturnsNoMoreThanAThrowGave) {
     EXPECT_EQ(norm_of(last_n), 0) << i;
   }
   EXPECT_GT(touched, 50);
+}
+
+// A shaft 2 mm deep in bone comes out through another side: the force turns there in the same time,
+// 100 rad/s, whatever the tick. (By 0.1 rad a tick it took a quarter of it in ticks of 0.25 ms.)
+TEST(Bone, TurnsItsForceInTheSameTimeWhateverTheTick) {
+  const Vec3 tip = {15e-3F, 17e-3F, 18e-3F};
+  const float half_m = 5e-3F;
+  ObstacleConfig body = bone(0);
+  make_box(body, {half_m, half_m, half_m});
+  body.pose.rotation = {1, 0, 0, 0};
+  body.pose.position_m = tip - Vec3{10e-3F, half_m - 1e-3F, half_m - 2e-3F};
+  for (const float period_s : {2e-3F, 1e-3F, 0.5e-3F, 0.25e-3F}) {
+    Rig rig = make_bone(NeedleConfig{}, body, period_s);
+    for (int i = 100; i >= 0; --i)
+      (void)move_tip(rig, tip + Vec3{0, 0, 40e-6F * static_cast<float>(i)});
+    ObstacleTouch touch[1];
+    ASSERT_EQ(obstacle_touches(rig.kernel(), touch), 1U);
+    EXPECT_NEAR(static_cast<double>(touch[0].normal.z), 1, 1e-6);
+    const auto ticks = static_cast<int>(std::lround(10e-3F / period_s));
+    (void)hold(rig, tip + Vec3{0, 1.1e-3F, 0}, ticks);
+    ASSERT_EQ(obstacle_touches(rig.kernel(), touch), 1U);
+    const Vec3 normal = touch[0].normal;
+    EXPECT_NEAR(std::atan2(static_cast<double>(normal.y), static_cast<double>(normal.z)), 1, 0.02)
+        << period_s;
+  }
 }
 
 // Drawn along a face, the needle is pulled back by friction times the normal force.

@@ -23,17 +23,22 @@ NeedlePiece tip_at(double x, double y, double z) {
   return {at, at, kNeedleRadiusM};
 }
 
+// Of a contact's normal in a step of a millisecond.
+constexpr double kTurnRad = static_cast<double>(kMaxNormalTurnRadPerS * 1e-3F);
+
 // A contact, together with its state of the last step.
 struct Touching {
   Obstacle body;
   ObstacleContact state = {};
+  double turn_rad = kTurnRad;
   Segment before_m = {};
   bool known = false;
 
   ObstacleLoad step(const NeedlePiece& piece) {
     const Segment axis = {to_double(piece.a_m), to_double(piece.b_m)};
     ObstacleContact next;
-    const ObstacleLoad load = obstacle_load(body, piece, known ? before_m : axis, state, next);
+    const ObstacleLoad load =
+        obstacle_load(body, piece, known ? before_m : axis, turn_rad, state, next);
     state = next;
     before_m = axis;
     known = true;
@@ -217,9 +222,8 @@ TEST(Continuity, DeepInsideTheForceTurnsSlowlyWhereverTheNeedleLeaves) {
     const double down = std::min(1.0, 3 * t), side = std::max(0.0, 3 * t - 1);
     return tip_at(3e-3 + 2.5e-3 * side, 0, kTopM - 2e-3 * down);
   });
-  const double turn = static_cast<double>(kMaxNormalTurnRad);
   const double depth = 2e-3 + static_cast<double>(kNeedleRadiusM), motion = 7.5e-5;
-  const double allowed = kLargestForceN * turn + kStiffness * (depth * turn + motion);
+  const double allowed = kLargestForceN * kTurnRad + kStiffness * (depth * kTurnRad + motion);
   std::printf("deep, out through the side: largest change %.2f N\n", jumps.force_n);
   EXPECT_GT(jumps.largest_force_n, 0.85 * kLargestForceN);
   EXPECT_LT(jumps.force_n, allowed);
@@ -242,7 +246,7 @@ TEST(Continuity, AFlatShaftOfShortPieces) {
       ObstacleContact next;
       const ObstacleLoad load =
           obstacle_load(body, {to_float(axis.a_m), to_float(axis.b_m), kNeedleRadiusM}, axis,
-                        contacts[static_cast<std::size_t>(piece)], next);
+                        kTurnRad, contacts[static_cast<std::size_t>(piece)], next);
       contacts[static_cast<std::size_t>(piece)] = next;
       force += static_cast<double>(load.force_n.z);
       torque += static_cast<double>(load.force_n.z * load.at_m.x);
