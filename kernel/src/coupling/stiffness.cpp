@@ -151,7 +151,8 @@ float surface_compliance(const Model& model, const Ground& g, float poisson) {
 // The required law of contact (cone.h): that of the needle's point on the tissue, steeper where
 // that stiffens, or that of the thin skin over it (film.h) if the skin is stiffer.
 struct Punch {
-  float stiffness_n_per_m, length_m, start;
+  float stiffness_n_per_m;
+  Widening widening;
 };
 
 // Of the half angle of the needle's tip.
@@ -178,11 +179,12 @@ Punch wanted_punch(const Model& model, const State& state, std::uint32_t materia
   const float stiff_cone_m = cone_m * (stiffer.deep / stiffer.shallow);
   const float stiff_n_per_m = punch_n_per_m * stiffer.deep;
   if (!(film.depth_m < bare_depth_m(film.force_n, punch_n_per_m, cone_m))) {
-    return {stiff_n_per_m, stiff_cone_m, 0};
+    return {stiff_n_per_m, straight(stiff_cone_m)};
   }
   const float depth_m =
       min_of(film.depth_m, bare_depth_m(film.force_n, stiff_n_per_m, stiff_cone_m));
-  return {film.force_n / (depth_m * film_shape(film.start)), kFilmChange * depth_m, film.start};
+  const Film reached = {depth_m, film.force_n, film.first_width};
+  return {film_punch_n_per_m(reached), film_widening(reached)};
 }
 
 // Compliance of the lattice under a tip inside, times G h.
@@ -271,11 +273,9 @@ ContactLaw law_of(const Model& model, const State& state) {
   const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
   const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
   const Punch wanted = wanted_punch(model, state, tip.material);
-  const float narrower = min_of(punch_n_per_m / wanted.stiffness_n_per_m, 1);
-  // The narrower punch keeps the spring of the start.
-  const float start = min_of(wanted.start / narrower, kMostStart);
-  return contact_law({punch_n_per_m, narrower * wanted.length_m, part, growth / unit_n,
-                      unit_n * clamp(end, 0, kGiveGrowthEnd), start},
+  const float most = min_of(punch_n_per_m / wanted.stiffness_n_per_m, 1);
+  return contact_law({punch_n_per_m, narrower(wanted.widening, most), part, growth / unit_n,
+                      unit_n * clamp(end, 0, kGiveGrowthEnd)},
                      m.relaxing_fraction);
 }
 

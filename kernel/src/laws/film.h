@@ -9,32 +9,38 @@
 // steep. C and that reduction come from a stretched skin, bonded to a half space, solved by
 // finite elements (tests/fidelity/coupling/film.py).
 //
-// The law of contact (cone.h) has two pieces, a parabola and a line, and the part `start` of a
-// plain spring. It agrees with a film at the depth at which the film is punctured and at
-// kFilmShallow of that, and is within a twentieth of it from a fifth of that on. It changes over at
-// kFilmChange of that depth.
+// The law of contact (cone.h) has two parabolas and a line. It agrees with a film at the depth at
+// which the film is punctured and at kFilmShallow of that, and is within three hundredths of it
+// from a tenth of that on. It changes over at kFilmFirst and kFilmChange of that depth.
 //
 // Promises: no allocation, no branch on hardware. Units SI. PHYSICS 8.2.
 #pragma once
 
-#include "base/math.h"
+#include "laws/cone.h"
 
 namespace stylet {
 
-constexpr float kFilmChange = 0.65F, kFilmShallow = 0.25F;
-// At most this part of the law is a plain spring: divisions by the rest are possible.
-constexpr float kMostStart = 0.9F;
+constexpr float kFilmFirst = 0.08F, kFilmChange = 0.72F, kFilmShallow = 0.22F;
 
-// Depth and force at which the law of contact is the film's, and the part of it that is a plain
-// spring; force 0 without a film.
+// Depth and force at which the law of contact is the film's, and how wide contact is, over its
+// width there, where it changes over first; force 0 without a film.
 struct Film {
-  float depth_m, force_n, start;
+  float depth_m, force_n, first_width;
 };
 
-// The law's force there over k and that depth: of the spring, and of the cone with its line.
-constexpr float kFilmHigh = 1 - 0.5F * kFilmChange;
-inline float film_shape(float start) {
-  return start + (1 - start) * kFilmHigh;
+inline Widening film_widening(const Film& film) {
+  return {kFilmChange * film.depth_m, kFilmFirst * film.depth_m, film.first_width};
+}
+
+// Force of the law at a share of that depth, over k and that depth. It is linear in the width.
+inline float film_shape(float share, float first_width) {
+  const Cone law = {1, {kFilmChange, kFilmFirst, first_width}, 0, 0, 0};
+  return cone_point(law, share).force_m();
+}
+
+// Stiffness of the punch of that law.
+inline float film_punch_n_per_m(const Film& film) {
+  return film.force_n / (film.depth_m * film_shape(1, film.first_width));
 }
 
 inline float film_force_n(float plane_pa, float membrane_n_per_m, float depth_m) {
@@ -54,11 +60,11 @@ inline Film film_at(float plane_pa, float membrane_n_per_m, float force_n) {
   }
   const float force = film_force_n(plane_pa, membrane_n_per_m, high_m);
   const float share = film_force_n(plane_pa, membrane_n_per_m, kFilmShallow * high_m) / force;
-  // share = (s x + (1 - s) low) / film_shape(s), where x is kFilmShallow.
-  constexpr float kFilmLow = kFilmShallow * kFilmShallow / (2 * kFilmChange);
-  const float start =
-      (share * kFilmHigh - kFilmLow) / ((kFilmShallow - kFilmLow) - share * (1 - kFilmHigh));
-  return {high_m, force, clamp(start, 0, kMostStart)};
+  const float low = film_shape(kFilmShallow, 0), high = film_shape(1, 0);
+  const float more_low = film_shape(kFilmShallow, 1) - low, more_high = film_shape(1, 1) - high;
+  // share = (low + more_low w) / (high + more_high w) for the first width w.
+  const float width = (share * high - low) / (more_low - share * more_high);
+  return {high_m, force, clamp(width, kFilmFirst / kFilmChange, 1)};
 }
 
 }  // namespace stylet

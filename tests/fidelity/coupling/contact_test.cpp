@@ -73,12 +73,13 @@ Vec3 start_of(const Press& p, std::uint16_t voxels) {
   return Vec3{-1e-3F, middle, middle} + edge * p.place;
 }
 
+// If the tip moves 50 um in a tick, contact begins where it first touches; if it moves less,
+// contact may begin up to 20 um later.
+constexpr float kFirstM = 50e-6F;
+
 // At rest, pressed in slowly.
 double force_at_rest(Rig& rig, Vec3 start_m, double depth_m) {
   const auto depth = static_cast<float>(depth_m);
-  // If the tip moves 50 um in a tick, contact begins where it first touches; if it moves less,
-  // contact may begin up to 20 um later.
-  constexpr float kFirstM = 50e-6F;
   drive(rig, start_m, kFirstM, 0.05F);
   drive(rig, {kFirstM, start_m.y, start_m.z}, depth, 0.05F);
   return -static_cast<double>(hold(rig, {depth, start_m.y, start_m.z}, 600).force_n.x);
@@ -283,9 +284,8 @@ TEST(Contact, ThinSkinIsPuncturedAtTheDepthOfAFilmWhateverTheVoxelItIsSpreadOver
   EXPECT_GT(seen, 40);
 }
 
-// On the way there it is a film's, too, from a fifth of that depth on: over the expected force, the
-// least and the most. A needle of 10 mm/s is noticed up to 20 um late, which a dimple of less than
-// half a millimetre shows; beyond 12 G h^2 voxels are softer.
+// On the way there it is a film's, too, from a tenth of that depth on: over the expected force, the
+// least and the most. Beyond 12 G h^2 voxels are softer.
 struct Range {
   double least = 10, most = 0;
 };
@@ -295,9 +295,11 @@ Range followed_film(const Press& p, std::uint16_t voxels) {
   m.puncture_force_n = static_cast<float>(film_n(p, p.depth_m));
   Rig rig = rig_of(p, voxels, m);
   Range range;
-  drive(rig, start_of(p, voxels), static_cast<float>(p.depth_m), 0.01F, [&](const Output& out) {
+  const Vec3 start_m = start_of(p, voxels), touched_m = {kFirstM, start_m.y, start_m.z};
+  drive(rig, start_m, kFirstM, 0.05F);
+  drive(rig, touched_m, static_cast<float>(p.depth_m), 0.01F, [&](const Output& out) {
     const double depth = static_cast<double>(out.tip_m.x);
-    if (out.phase != Phase::kContact || depth < std::max(0.2 * p.depth_m, 0.5e-3)) return;
+    if (out.phase != Phase::kContact || depth < 0.1 * p.depth_m) return;
     if (film_n(p, depth) > 12 * p.crush_n()) return;
     const double ratio = -static_cast<double>(out.force_n.x) / film_n(p, depth);
     range = {std::min(range.least, ratio), std::max(range.most, ratio)};
@@ -320,6 +322,7 @@ TEST(Contact, ThinSkinIsAFilmOnTheWayToItsPuncture) {
     const double crush = film_n(p, p.depth_m) / p.crush_n();
     if (crush > 12 || film_n(p, p.depth_m) < p.sneddon_n(p.depth_m)) continue;
     const Range range = followed_film(p, kVoxels);
+    std::printf("film %d: %.3f to %.3f\n", i, range.least, range.most);
     EXPECT_GT(range.least, 0.93) << "draw " << i;
     EXPECT_LT(range.most, 1.07) << "draw " << i << ": voxel " << p.edge_m << " m, E " << p.youngs_pa
                                 << " Pa, skin " << p.skin_n_per_m << " N/m, depth " << p.depth_m
