@@ -22,7 +22,8 @@ OTHERS = ["#882255", "#44aa99", "#88ccee", "#ddcc77", "#777777"]
 LABEL_GAP = 0.022  # of a panel's width: what a line of upright text needs
 LABEL_ROOM = 0.35  # of its height, above the curves: for the longest label
 MOST_POINTS = 1500  # of a line: more than a page can show
-EVENTS = ["contact", "release", "puncture", "re-entry", "exit", "layer", "obstacle"]
+EVENTS = ["contact", "release", "puncture", "re-entry", "exit", "layer", "obstacle",
+          "flashback", "loss of resistance"]
 SAME = {"axial force": "total", "": "total"}  # other words for what the palette has
 
 
@@ -46,6 +47,10 @@ class Run:
             self.parts_n = {name: -np.asarray(file[f"output/{name}_n"], float) @ along
                             for name in ("stiffness", "cutting", "friction")}
             self.depth_m = np.asarray(file["output/depth_m"], float)
+            self.plunger_n = np.asarray(file["flow/plunger_n"], float)
+            self.hub_pa, self.opening_pa, self.flow_m3_per_s, self.injected_m3, self.filled = (
+                np.asarray(file[f"flow/{name}"], float)
+                for name in ("hub_pa", "opening_pa", "flow_m3_per_s", "injected_m3", "filled"))
             self.particles = np.asarray(file["output/constraint_particles"]).astype(int)
             self.events = [(int(tick), EVENTS[kind], int(layer), float(force)) for
                            tick, kind, layer, force, needle in
@@ -312,6 +317,43 @@ LUMBAR = ["skin", "fat", "ligament", "flavum", "epidural space"]
 def lumbar_puncture(run):
     return [force_over_travel(run, "Lumbar puncture: the tip enters", LUMBAR),
             force_over_time(run, "The same over time")]
+
+
+SPINE = [*LUMBAR, "dura", "cerebrospinal fluid"]
+FLUID = ("flashback", "loss of resistance")
+
+
+def pressure_over_time(run, title):
+    """Of the fluid; and what it did."""
+    return {"title": title, "x": "time / s", "y": "pressure / kPa",
+            "lines": [(run.time_s, run.hub_pa * 1e-3, "hub"),
+                      (run.time_s, run.opening_pa * 1e-3, "opening")],
+            "marks": [(tick * 1e-3, name) for tick, name, _, _ in run.events if name in FLUID],
+            "key": "outside right top"}
+
+
+def given_over_time(run, title):
+    return {"title": title, "x": "time / s", "y": "volume / ml",
+            "lines": [(run.time_s, run.injected_m3 * 1e6, "given")], "key": "outside right top"}
+
+
+def epidural_syringe(run):
+    return [force_over_travel(run, "Epidural with a syringe: the tip enters", SPINE),
+            pressure_over_time(run, "Pressure of the fluid"),
+            given_over_time(run, "Saline given")]
+
+
+def spinal_tap(run):
+    return [force_over_travel(run, "Lumbar puncture: the tip enters", SPINE),
+            pressure_over_time(run, "Pressure of the fluid"),
+            given_over_time(run, "Cerebrospinal fluid: what came out is below zero")]
+
+
+def central_vein(run):
+    return [force_over_travel(run, "Access to a vein: the tip enters",
+                              ["skin", "fat", "muscle", "vein"]),
+            pressure_over_time(run, "Pressure of the fluid"),
+            given_over_time(run, "Blood drawn is below zero")]
 
 
 def draw(name, run, picture):

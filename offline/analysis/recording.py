@@ -25,7 +25,8 @@ CAUSES = ["stiffness", "cutting", "friction", "clamping", "obstacle"]
 COLOURS = ["#0072b2", "#c24e00", "#009e73", "#a8478a", "#5c3d00"]
 TOTAL, WAY_IN, WAY_OUT = "#1d2733", "#332288", "#cc6677"
 PHASES = ["free", "contact", "inserted", "retracting"]
-EVENTS = ["contact", "release", "puncture", "reentry", "exit", "layer", "obstacle"]
+EVENTS = ["contact", "release", "puncture", "reentry", "exit", "layer", "obstacle",
+          "flashback", "loss of resistance"]
 
 
 # %% [markdown]

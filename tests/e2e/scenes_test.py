@@ -444,5 +444,100 @@ class ProstateSpinning(Scene):
         self.assert_within(float(np.max(np.diff(turns))), 38 / 9 / 0.5 * 1e-3, 0.02)
 
 
+def poiseuille(bore_m, length_m, viscosity_pa_s):
+    """Resistance of a needle's bore, Pa s/m^3."""
+    return 128 * viscosity_pa_s * length_m / (np.pi * bore_m**4)
+
+
+class FluidScene(Scene):
+    """A scene with fluid in its needle."""
+
+    def entered(self):
+        return [layer for _, kind, layer, _ in self.run_.events if kind in ("puncture", "layer")]
+
+    def the_only(self, kind):
+        """Tick and layer of the only event of this kind."""
+        (tick, _, layer, _), = (event for event in self.run_.events if event[1] == kind)
+        return tick, layer
+
+
+class EpiduralSyringe(FluidScene):
+    name = "epidural-syringe"
+    SKIN, FAT, LIGAMENT, FLAVUM, EPIDURAL, DURA = range(6)
+    PLUNGER_M2, THUMB_N, FRICTION_N = np.pi * 7.5e-3**2, 11.4, 0.5
+
+    def test_the_plunger_holds_until_the_epidural_space(self):
+        self.check_quiet()
+        run = self.run_
+        tick, layer = self.the_only("loss of resistance")
+        self.assertEqual(layer, self.EPIDURAL)
+        self.assertEqual(self.entered()[:5], list(range(5)))
+        self.assertNotIn(self.DURA, self.entered())
+        self.assertNotIn("obstacle", self.kinds())
+        # The opening is 1.5 mm behind the tip, the face 45 mm deep in tissue at rest.
+        self.assertLess(abs(run.depth_m[tick - 1] - 46.5e-3), 0.5e-3)
+        held = (run.plunger_n > 11) & (np.arange(1, len(run.time_s) + 1) < tick)
+        self.assertGreater(np.count_nonzero(held), 1000)
+        pressed_pa = (self.THUMB_N - self.FRICTION_N) / self.PLUNGER_M2
+        np.testing.assert_allclose(run.hub_pa[held], pressed_pa, rtol=1e-3)
+        self.assertEqual(np.abs(run.flow_m3_per_s[held]).max(), 0)
+
+    def test_then_it_gives_way_as_the_bore_lets_it(self):
+        run = self.run_
+        tick, _ = self.the_only("loss of resistance")
+        resistance = poiseuille(1.067e-3, 90e-3, 1e-3) + 1 / 2000e-12
+        pressed_pa = (self.THUMB_N - self.FRICTION_N) / self.PLUNGER_M2 + 40
+        self.assert_within(run.flow_m3_per_s[tick], pressed_pa / resistance, 1e-3)
+        self.assertGreater(run.injected_m3.max(), 2e-6)
+        self.assertLessEqual(run.injected_m3.max(), 6.1e-6)
+
+
+class SpinalTap(FluidScene):
+    name = "spinal-tap"
+    CSF = 6
+    PRESSURE_PA, VISCOSITY_PA_S, BORE_M, LENGTH_M = 1420, 0.8e-3, 0.413e-3, 90e-3
+
+    def test_fluid_comes_up_as_washburn_says(self):
+        self.check_quiet()
+        run = self.run_
+        tick, layer = self.the_only("flashback")
+        self.assertEqual(layer, self.CSF)
+        self.assertEqual(self.entered()[:7], list(range(7)))
+        began = int(np.flatnonzero(run.filled > 0.01)[0])
+        washburn_s = 16 * self.VISCOSITY_PA_S * self.LENGTH_M**2 / (
+            self.PRESSURE_PA * self.BORE_M**2)
+        self.assert_within((tick - 1 - began) * 1e-3, washburn_s, 0.05)
+
+    def test_then_it_drips_as_poiseuille_says(self):
+        run = self.run_
+        tick, _ = self.the_only("flashback")
+        resistance = poiseuille(self.BORE_M, self.LENGTH_M, self.VISCOSITY_PA_S) + 1 / 1e-8
+        self.assert_within(run.flow_m3_per_s[tick + 500], -self.PRESSURE_PA / resistance, 1e-3)
+
+
+class CentralVein(FluidScene):
+    name = "central-vein"
+    SKIN, FAT, MUSCLE, VEIN = range(4)
+
+    def test_the_vein_gives_way_before_it_is_punctured(self):
+        self.check_quiet()
+        run = self.run_
+        row = next(tick for tick, kind, layer, _ in run.events
+                   if kind == "puncture" and layer == self.VEIN) - 1
+        self.assertGreater(run.travel_m[row] - 17.5e-3, 0.5e-3)
+
+    def test_blood_comes_once_the_opening_is_in_it(self):
+        run = self.run_
+        tick, layer = self.the_only("flashback")
+        self.assertEqual(layer, self.VEIN)
+        punctured = next(t for t, kind, each, _ in run.events
+                         if kind == "puncture" and each == self.VEIN)
+        self.assertGreater(tick, punctured)
+        self.assertEqual(self.entered()[:4], list(range(4)))
+        drawn_pa = (-2 + 0.5) / (np.pi * 6e-3**2)
+        resistance = poiseuille(0.838e-3, 70e-3, 3.5e-3) + 1 / 1e-7
+        self.assert_within(run.flow_m3_per_s[tick + 300], (drawn_pa - 1000) / resistance, 1e-3)
+
+
 if __name__ == "__main__":
     unittest.main()

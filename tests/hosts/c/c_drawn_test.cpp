@@ -425,7 +425,8 @@ void add_ticks(Calls& calls) {
   calls["stylet_simulation_tick"] = [](World& w) {
     const std::uint32_t in_count = w.draw.chance(0.8) ? w.draw.below(3) : odd_count(w.draw);
     const std::uint32_t out_count = w.draw.chance(0.8) ? w.draw.below(3) : odd_count(w.draw);
-    Rows<stylet_input> in(w.draw, std::min(in_count, 4U), {0, 1, odd_pose(w.draw)});
+    Rows<stylet_input> in(w.draw, std::min(in_count, 4U),
+                          {0, 1, odd_pose(w.draw), w.draw.between(-300, 300)});
     Rows<stylet_output> out = to_fill<stylet_output>(w.draw, std::min(out_count, 4U));
     const stylet_status status = w.unless_refused([&] {
       return stylet_simulation_tick(w.simulation(), in.get(), in_count, out.get(), out_count);
@@ -436,7 +437,7 @@ void add_ticks(Calls& calls) {
     stylet_simulation* const of = w.simulation();
     const std::uint32_t ticks = w.draw.below(5);
     const std::uint32_t rows = ticks * stylet_simulation_needles(of);
-    Rows<stylet_input> in(w.draw, rows, {0, 1, odd_pose(w.draw)});
+    Rows<stylet_input> in(w.draw, rows, {0, 1, odd_pose(w.draw), w.draw.between(-300, 300)});
     Rows<stylet_output> out = to_fill<stylet_output>(w.draw, rows);
     const stylet_status status =
         w.unless_refused([&] { return stylet_simulation_run(of, in.get(), out.get(), ticks); });
@@ -565,7 +566,7 @@ void add_batches(Calls& calls) {
   };
   calls["stylet_batch_run"] = [](World& w) {
     const std::uint32_t ticks = w.draw.below(4);
-    Rows<stylet_input> in(w.draw, 3 * ticks, {0, 1, odd_pose(w.draw)});
+    Rows<stylet_input> in(w.draw, 3 * ticks, {0, 1, odd_pose(w.draw), w.draw.between(-300, 300)});
     Rows<stylet_output> out = to_fill<stylet_output>(w.draw, 3 * ticks);
     stylet_batch* const of = w.batch();
     const stylet_status status =
@@ -575,7 +576,8 @@ void add_batches(Calls& calls) {
 }
 
 stylet_sample odd_sample(Draw& draw) {
-  return {0, draw.below(8), draw.below(1000), odd_time(draw), odd_pose(draw)};
+  return {
+      0, draw.below(8), draw.below(1000), odd_time(draw), odd_pose(draw), draw.between(-300, 300)};
 }
 
 void add_guards(Calls& calls) {

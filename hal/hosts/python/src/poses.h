@@ -58,7 +58,8 @@ constexpr py::ssize_t kPoseNumbers = 7;
 inline stylet_input input_of(const float* pose, bool valid) {
   return {sizeof(stylet_input),
           valid ? 1U : 0U,
-          {{pose[0], pose[1], pose[2]}, {pose[3], pose[4], pose[5], pose[6]}}};
+          {{pose[0], pose[1], pose[2]}, {pose[3], pose[4], pose[5], pose[6]}},
+          0};
 }
 
 // Poses of one tick: their numbers, and whether the array has the axis of needles. `held` keeps

@@ -115,6 +115,7 @@ class Recording:
         for i in range(len(self.needles)):
             for name in ("valid", "position_m", "rotation_wxyz"):
                 rows[name][:, i] = self.column(f"input/{name}", i)
+            rows["plunger_n"][:, i] = self.column("flow/plunger_n", i)
         return rows
 
     def force_n(self, cause=None, needle=0):

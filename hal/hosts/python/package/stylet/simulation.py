@@ -79,8 +79,9 @@ class VectorSimulation:
         return outputs.view(np.recarray) if out is None else outputs
 
 
-def inputs(poses, valid=True):
-    """Poses (..., 7) as an array of `input_dtype`, which simulations read where it lies."""
+def inputs(poses, valid=True, plunger_n=0):
+    """Poses (..., 7), and the force on a syringe's plunger at each, as an array of `input_dtype`,
+    which simulations read where it lies."""
     poses = real("poses", poses, none="where a tick has no sample, say so in valid")
     if poses.shape[-1:] != (7,):
         raise ValueError(f"poses of shape {poses.shape}: expected (..., 7)")
@@ -89,6 +90,7 @@ def inputs(poses, valid=True):
     rows["valid"] = valid
     rows["position_m"] = poses[..., :3]
     rows["rotation_wxyz"] = poses[..., 3:]
+    rows["plunger_n"] = plunger_n
     return rows
 
 
