@@ -463,7 +463,7 @@ class FluidScene(Scene):
 
 class EpiduralSyringe(FluidScene):
     name = "epidural-syringe"
-    SKIN, FAT, LIGAMENT, FLAVUM, EPIDURAL, DURA = range(6)
+    SKIN, FAT, LIGAMENT, FLAVUM, EPIDURAL, CSF, DURA = range(7)
     PLUNGER_M2, THUMB_N, FRICTION_N = np.pi * 7.5e-3**2, 11.4, 0.5
 
     def test_the_plunger_holds_until_the_epidural_space(self):
@@ -494,7 +494,7 @@ class EpiduralSyringe(FluidScene):
 
 class SpinalTap(FluidScene):
     name = "spinal-tap"
-    CSF = 6
+    CSF, DURA = 5, 6
     PRESSURE_PA, VISCOSITY_PA_S, BORE_M, LENGTH_M = 1420, 0.8e-3, 0.413e-3, 90e-3
 
     def test_fluid_comes_up_as_washburn_says(self):
@@ -502,7 +502,7 @@ class SpinalTap(FluidScene):
         run = self.run_
         tick, layer = self.the_only("flashback")
         self.assertEqual(layer, self.CSF)
-        self.assertEqual(self.entered()[:7], list(range(7)))
+        self.assertEqual(self.entered()[:7], [0, 1, 2, 3, 4, self.DURA, self.CSF])
         began = int(np.flatnonzero(run.filled > 0.01)[0])
         washburn_s = 16 * self.VISCOSITY_PA_S * self.LENGTH_M**2 / (
             self.PRESSURE_PA * self.BORE_M**2)
