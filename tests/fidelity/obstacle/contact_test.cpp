@@ -406,7 +406,7 @@ TEST(Energy, BooksCloseAndNothingIsGained) {
 // A hand may take a piece from outside to well inside a body in one tick. Back along its way it is
 // out again, so the body cannot lie deeper over it than it has come.
 TEST(FirstTouch, IsNoDeeperThanThePieceHasCome) {
-  Draw draw;
+  PlaceDraw draw;
   int inside = 0;
   for (int i = 0; i < 100000; ++i) {
     const Vec3 size = {draw.uniform_f(1e-3, 8e-3), draw.uniform_f(1e-3, 8e-3),
