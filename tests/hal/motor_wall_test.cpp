@@ -130,22 +130,23 @@ struct Judge {
     const Vec3 force = bench.felt();
     if (bench.writes() != writes || size(minus(force, bench.felt())) > 0) return;  // half written
     const std::int64_t fault = fault_ns.load(), ordered = ordered_ns.load();
-    const double size = size(force), change = size(minus(force, last_n));
-    strongest_n = std::max(strongest_n, size);
-    if (size > 0) forced = true;
-    if (!std::isfinite(size)) fail(before_ns, "not finite");
-    if (size > most_n * (1 + 1e-4)) fail(before_ns, "over the limit: " + std::to_string(size));
-    judge_step(change, size, writes != last_writes);
+    const double force_size_n = size(force), change = size(minus(force, last_n));
+    strongest_n = std::max(strongest_n, force_size_n);
+    if (force_size_n > 0) forced = true;
+    if (!std::isfinite(force_size_n)) fail(before_ns, "not finite");
+    if (force_size_n > most_n * (1 + 1e-4))
+      fail(before_ns, "over the limit: " + std::to_string(force_size_n));
+    judge_step(change, force_size_n, writes != last_writes);
     if (acknowledged != acknowledged_then) over = false;
     acknowledged_then = acknowledged;
     const bool late = ordered != 0 && ms(before_ns - ordered) > kZeroMs + kSlackMs;
     const bool faulty = fault != 0 && ms(before_ns - fault) > kZeroMs + kSlackMs;
-    if (size > 0 && (late || faulty)) {
-      fail(before_ns, std::to_string(size) + " N " +
+    if (force_size_n > 0 && (late || faulty)) {
+      fail(before_ns, std::to_string(force_size_n) + " N " +
                           std::to_string(ms(before_ns - (faulty ? fault : ordered))) +
                           (faulty ? " ms after a fault" : " ms after the newest order"));
     }
-    if (size > 0 && over && acknowledgements.load() == acknowledged) {
+    if (force_size_n > 0 && over && acknowledgements.load() == acknowledged) {
       fail(before_ns, "force before somebody acknowledged");
     }
     over = over || late;
