@@ -355,7 +355,7 @@ Status count(const Organ& organ, const Config& config, Counts& counts_out) {
   }
   if (!organ.membrane_cells.empty()) {
     counts_out.membrane_needles = counts_out.needles;
-    counts_out.membrane_tracks = kMaxTracks;
+    counts_out.membranes = 1;
   }
   return status;
 }

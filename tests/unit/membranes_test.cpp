@@ -107,7 +107,7 @@ TEST(Membranes, TheFirstOnAWayIsThatOfAllTriangles) {
         }
       }
       if (clear < 1e-3) continue;  // at a rim or an end: rounding may decide
-      const MembraneCrossing seen = first_membrane(organ->organ, from_m, to_m);
+      const MembraneCrossing seen = first_membrane(organ->organ, {}, 0, from_m, to_m);
       ASSERT_EQ(seen.material, material) << i << ' ' << j;
       ASSERT_NEAR(static_cast<double>(seen.clear), expected, 1e-3) << i << ' ' << j;
       found += material != kNoTissue ? 1 : 0;
@@ -132,7 +132,8 @@ TEST(Membranes, NoWayLeadsBetweenTwoTriangles) {
       const Vec3 on = b + chance.between(0.02F, 0.98F) * (d - b);
       const Vec3 up = {edge * chance.between(-0.3F, 0.3F), edge * chance.between(-0.3F, 0.3F),
                        edge};
-      const MembraneCrossing seen = first_membrane(organ->organ, on - 0.9F * up, on + 0.9F * up);
+      const MembraneCrossing seen =
+          first_membrane(organ->organ, {}, 0, on - 0.9F * up, on + 0.9F * up);
       ASSERT_EQ(seen.material, 1U) << i << ' ' << j;
     }
   }
@@ -148,9 +149,40 @@ TEST(Membranes, AWayThatIsTooLongIsFreeOnlyAsFarAsItIsSearched) {
   const Vec3 from_m = tiny.origin_m + tiny.voxel_edge_m * Vec3{3, 3, 3};
   const float edges = 4 * static_cast<float>(kMaxMembraneSteps);
   const MembraneCrossing seen =
-      first_membrane(organ->organ, from_m, from_m + Vec3{0, 0, edges * tiny.voxel_edge_m});
+      first_membrane(organ->organ, {}, 0, from_m, from_m + Vec3{0, 0, edges * tiny.voxel_edge_m});
   EXPECT_EQ(seen.material, kNoTissue);
   EXPECT_NEAR(static_cast<double>(seen.clear), 0.25, 1e-3);
+}
+
+// A hole is open for a way near it, and only in its own sheet.
+TEST(Membranes, AHoleIsOpenWhereItIs) {
+  Chance chance = {std::mt19937_64(64)};
+  for (int i = 0; i < 200; ++i) {
+    TinyOrgan tiny = random_organ(chance);
+    const float edge = tiny.voxel_edge_m, mouth_m = chance.between(0.5e-3F, 2e-3F);
+    const Vec3 low = tiny.origin_m + edge * Vec3{0.5F, 0.5F, 2}, side = {6 * edge, 0, edge};
+    const Vec3 other = {0, 4 * edge, -edge}, fold = {0, 0, chance.between(1e-4F, 4e-4F)};
+    const auto sheet = [&](Vec3 at) {
+      return std::vector<std::array<Vec3, 3>>{{at, at + side, at + other},
+                                              {at + side, at + side + other, at + other}};
+    };
+    TinyMembrane both = {1, sheet(low)};
+    for (const auto& t : sheet(low + fold)) both.triangles.push_back(t);
+    tiny.membranes = {both};
+    const auto organ = open_organ(tiny_organ(tiny));
+    const Vec3 hole_m =
+        low + chance.between(0.3F, 0.7F) * side + chance.between(0.3F, 0.7F) * other;
+    const Vec3 across = cross(side, other), normal = (1 / norm(across)) * across;
+    const MembraneOpening hole = {hole_m, normal, 1};
+    const auto met = [&](Vec3 at_m) {
+      const Vec3 up = {0, 0, 1e-4F * 0.9F};
+      return first_membrane(organ->organ, {&hole, 1}, mouth_m, at_m - up, at_m + up).material;
+    };
+    const Vec3 aside = (1 / norm(side)) * side;
+    EXPECT_EQ(met(hole_m + 0.9F * mouth_m * aside), kNoTissue);
+    EXPECT_EQ(met(hole_m + 1.1F * mouth_m * aside), 1U) << "beside it";
+    EXPECT_EQ(met(hole_m + fold), 1U) << "the other fold";
+  }
 }
 
 }  // namespace

@@ -141,6 +141,8 @@ constexpr float kMaxTwistRad = 3.0F;
 // Voxel edges along which the tip's way in a tick is searched for membranes. Reached: the tip stops
 // there, and the rest follows in the next ticks.
 constexpr std::uint32_t kMaxMembraneSteps = 64;
+// Holes in membranes that are remembered. Full: the oldest is whole again.
+constexpr std::uint32_t kMaxOpenings = 64;
 // Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
 constexpr std::uint32_t kMaxEvents = 64;
 // Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.

@@ -30,21 +30,25 @@ namespace {
 
 // Moves the tissue that the tip holds forward by `move_m` along the needle, integrated in the rest
 // frame. While it moves, or when they are voxels apart, the tip's rest place is pulled to the
-// material that really lies at its goal, so that errors of the integration do not add up.
-void advance_tip(const Model& model, const State& state, Particle& tip, Vec3 direction,
-                 float move_m) {
+// material that really lies at its goal, so that errors of the integration do not add up; but not
+// through a membrane. A tip that moves back has its own hole.
+void advance_tip(const Model& model, State& state, Particle& tip, Vec3 direction, float move_m) {
   const Gradient g = gradient_around(model, state, tip);
   const Vec3 step = move_m * direction;
-  const Vec3 image = tip.support_count > 0 ? pull_back_step(model, g, step) : step;
+  Vec3 image = tip.support_count > 0 ? pull_back_step(model, g, step) : step;
+  if (move_m > 0 && tip.support_count > 0) image = free_part(model, state, image).clear * image;
   shift_goals(tip, step);
   tip.rest_m = tip.rest_m + image;
   tip.track_m += move_m < 0 ? -norm(image) : norm(image);
+  if (move_m != 0 && tip.support_count > 0) note_place(model, state);
   Vec3 present = {};
   if (tip.support_count == 0 || !present_place(model, state, tip.rest_m, present)) return;
   const Vec3 off = (tip.position_m - residual(tip)) - present;
   const float size = move_m < 0 ? -move_m : move_m;
-  const Vec3 miss = (size / (size + kMaterialPullM)) * pull_back_step(model, g, off);
+  Vec3 miss = (size / (size + kMaterialPullM)) * pull_back_step(model, g, off);
+  miss = free_part(model, state, miss).clear * miss;
   tip.rest_m = tip.rest_m + miss;
+  if (move_m != 0) note_place(model, state);
   const Vec3 along = pull_back(g, direction);
   tip.track_m += dot(miss, along) / norm(along);
 }
@@ -81,10 +85,10 @@ void leave_film(const Model& model, State& state, Particle& tip) {
 void press_membrane(const Model& model, State& state, Particle& tip, Vec3 direction) {
   const std::uint32_t held = holding_membrane(model, state);
   if (held == kNoTissue) return;
-  const float axial = dot(force_on_tissue(tip), direction);
+  // As the hand feels it: what a stiff spring takes before the tissue has yielded does not count.
+  const float axial = dot(tip.force_n, direction);
   if (axial < puncture_force(model, state, held, model.forces[held].layer_n)) return;
-  const Vec3 image = pull_back_step(model, gradient_around(model, state, tip), direction);
-  go_through(model, state, (1 / norm(image)) * image);
+  let_go(model, state, true);
   leave_film(model, state, tip);
   const std::uint32_t layer = state.needle->layer;
   state.needle->layer = held;
@@ -98,18 +102,17 @@ float slip_to_membrane(const Model& model, State& state, Particle& tip, Vec3 dir
                        float slip_m) {
   if (!has_membranes(model) || !(slip_m > 0)) return 1;
   const Vec3 way = pull_back_step(model, gradient_around(model, state, tip), slip_m * direction);
-  const MembraneCrossing free = free_part(model, state, way);
-  note_free(model, state, free.clear * way);
-  if (free.material == kNoTissue) return free.clear;
-  hold_at(model, state, free.material);
-  press_against(model, state, tip, free.material);
-  return free.clear;
+  const MembraneCrossing met = free_part(model, state, way);
+  if (met.material == kNoTissue || holding_membrane(model, state) == met.material) return met.clear;
+  hold_at(state, met);
+  press_against(model, state, tip, met.material);
+  return met.clear;
 }
 
 // A tip that moves back, or is outside the tissue, is not held.
 void leave_membrane(const Model& model, State& state, Particle& tip) {
   const bool held = holding_membrane(model, state) != kNoTissue;
-  let_go(model, state);
+  let_go(model, state, false);
   if (held && tip.support_count > 0) leave_film(model, state, tip);
 }
 

@@ -233,6 +233,7 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
       target = film.force_n / film.depth_m;
       lattice_compliance = inside_give(nu) / held_n_per_m(model, particle) +
                            kMembraneGive / (m.shear_pa * head.edge_m);
+      least = kLeastOwnPart * lattice_compliance;
       break;
     case Role::kShaft:
       target = shear_inside_pa(head, m, unit) * unit * line_stiffness(a, nu);

@@ -17,6 +17,7 @@
 #include "laws/friction.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
+#include "organ/membranes.h"
 #include "organ/runs.h"
 #include "state/lattice_plan.h"
 #include "state/members.h"
@@ -41,8 +42,8 @@ struct Counts {
   std::uint32_t sheets, ties;
   std::uint32_t stiffening_slots;  // zero if no tissue stiffens
   std::uint32_t needles;
-  std::uint32_t membrane_needles, membrane_tracks;  // zero if no membrane is met
-  std::uint32_t fluids;  // needles, or zero if the hubs of all are closed
+  std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
+  std::uint32_t fluids;                       // needles, or zero if the hubs of all are closed
   // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
   // of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
@@ -141,16 +142,16 @@ struct Track {
   float length_m;
 };
 
-// What a needle's tip has met of membranes (coupling/membranes.h), and what of them a track has
-// gone through. Materials plus 1; 0: none.
+// What a needle's tip has met of membranes (coupling/membranes.h).
 struct MembraneState {
-  Vec3 clear_m;  // rest frame: no membrane lies between here and the tip
-  std::uint32_t held;
+  Vec3 clear_m;        // rest frame: no whole membrane lies between here and the tip
+  std::uint32_t held;  // material of the membrane that holds it, plus 1; 0: none
+  Vec3 held_at_m, held_normal;
 };
-struct TrackMembranes {
-  float open_m;    // the track has been cut up to here
-  float passed_m;  // where the last membrane was punctured
-  std::uint32_t passed;
+// The holes that tips have made in membranes, a ring.
+struct MembraneHoles {
+  std::uint32_t count, next;
+  MembraneOpening opening[kMaxOpenings];
 };
 
 struct NeedleState {
@@ -267,9 +268,9 @@ struct ScratchHead {
   F(rod, RodModel, c.needles)                                                            \
   /* forces: what each needle meets in each tissue (laws/fracture.h) */                  \
   F(forces, NeedleForces, kMaxMaterials* c.needles)                                      \
-  /* bore: each needle's, unless all hubs are closed (laws/fluid.h) */                    \
+  /* bore: each needle's, unless all hubs are closed (laws/fluid.h) */                   \
   F(bore, Bore, c.fluids)                                                                \
-  /* opening: what each needle's opening meets in each tissue, likewise */                \
+  /* opening: what each needle's opening meets in each tissue, likewise */               \
   F(opening, Opening, kMaxMaterials* c.fluids)                                           \
   /* obstacle: convex bodies, as set_obstacles took them */                              \
   F(obstacle, Obstacle, kMaxObstacles)                                                   \
@@ -312,7 +313,7 @@ struct ScratchHead {
   F(node, Vec3, (kMaxRods + 1) * c.needles)                                               \
   /* touch: what it touches of obstacles; written by coupling/touches */                  \
   F(touch, Touch, kMaxTouches* c.needles)                                                 \
-  /* fluid: in each needle, unless all hubs are closed; written by coupling/flow */        \
+  /* fluid: in each needle, unless all hubs are closed; written by coupling/flow */       \
   F(fluid, FluidState, c.fluids)                                                          \
   /* track: holes in the tissue; written by coupling/track and insertion */               \
   F(track, Track, kMaxTracks)                                                             \
@@ -320,8 +321,8 @@ struct ScratchHead {
   F(event, Event, kMaxEvents)                                                             \
   /* membrane: what each tip has met of membranes; written by coupling/membranes */       \
   F(membrane, MembraneState, c.membrane_needles)                                          \
-  /* track_membranes: what of them each track has gone through; likewise */               \
-  F(track_membranes, TrackMembranes, c.membrane_tracks)
+  /* holes: those that tips have made in membranes; likewise */                           \
+  F(holes, MembraneHoles, c.membranes)
 
 #define STYLET_SCRATCH_FIELDS(F)                                                      \
   /* head: counts of this tick */                                                     \

@@ -202,11 +202,17 @@ bool sound(const Limits& is, const Track& t, std::size_t) {
 }
 
 bool sound(const Limits& is, const MembraneState& m, std::size_t) {
-  return is.number(m.clear_m) && m.held <= is.head().material_count;
+  return is.number(m.clear_m) && m.held <= is.head().material_count && is.number(m.held_at_m) &&
+         is.number(m.held_normal);
 }
 
-bool sound(const Limits& is, const TrackMembranes& t, std::size_t) {
-  return is.number(t.open_m) && is.number(t.passed_m) && t.passed <= is.head().material_count;
+bool sound(const Limits& is, const MembraneHoles& holes, std::size_t) {
+  bool good = holes.count <= kMaxOpenings && holes.next < kMaxOpenings;
+  for (const MembraneOpening& hole : holes.opening) {
+    good = good && is.number(hole.at_m) && is.number(hole.normal) &&
+           (hole.material == 0 || is.material(hole.material));
+  }
+  return good;
 }
 
 bool sound(const Limits& is, const Event& e, std::size_t) {

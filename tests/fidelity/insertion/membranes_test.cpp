@@ -286,6 +286,93 @@ TEST(Membranes, TwoThatLieTogetherAreTwo) {
   }
 }
 
+// A hole made beside a membrane that was missed opens nothing: after a partial withdrawal the
+// needle is turned about its entry, and meets what it had passed beside.
+TEST(Membranes, AreWholeBesideAWayThatMissedThem) {
+  Chance chance = {std::mt19937_64(51)};
+  for (int i = 0; i < 8; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draw_scene(chance);
+    const float turn_rad = chance.between(0.2F, 0.45F), depth_m = chance.between(14e-3F, 22e-3F);
+    const Vec3 entry_m = {0, scene.start_m.y, scene.start_m.z};
+    const Vec3 turned = {std::cos(turn_rad), std::sin(turn_rad), 0};
+    // Small enough that the first way passes beside it.
+    scene.tiny.membranes = {
+        {kDura, sheet(entry_m + depth_m * turned, turned, 0.6F * depth_m * std::sin(turn_rad))}};
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    push(rig, watch, scene.start_m, 30e-3F);
+    push(rig, watch, {30e-3F, scene.start_m.y, scene.start_m.z}, 3e-3F);
+    const auto pose = [&](float angle, float in_m) {
+      const Vec3 d = {std::cos(angle), std::sin(angle), 0};
+      const Vec3 handle = entry_m + (in_m - rig.length_m) * d;
+      const float half = std::sqrt(0.5F), c = std::cos(angle / 2), s = std::sin(angle / 2);
+      // About z by the angle, after the turn that leads from z to x.
+      return Input{{handle, {half * c, half * s, -half * c, half * s}}, 1};
+    };
+    for (int k = 0; k <= 400; ++k) {
+      (void)checked_tick(rig, pose(turn_rad * static_cast<float>(k) / 400, 3e-3F));
+      watch(rig);
+    }
+    for (int k = 0; k <= 1800; ++k) {
+      (void)checked_tick(rig, pose(turn_rad, 3e-3F + 2e-5F * static_cast<float>(k)));
+      watch(rig);
+    }
+    EXPECT_EQ(watch.of(kDura).size(), 1U);
+  }
+}
+
+// Once through the first, a tip jumps; the second is met where it lies all the same.
+TEST(Membranes, TheSecondIsWhereItLies) {
+  Chance chance = {std::mt19937_64(52)};
+  for (int i = 0; i < 16; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draw_plane(chance);
+    TinyMembrane second = scene.tiny.membranes[0];
+    second.material = kArachnoid;
+    const float apart_m = chance.between(0.1e-3F, 4e-3F);
+    for (std::array<Vec3, 3>& t : second.triangles) {
+      for (Vec3& p : t) p.x += apart_m;
+    }
+    scene.tiny.membranes.push_back(second);
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    push(rig, watch, scene.start_m, scene.depth_m + 18e-3F);
+    for (const std::uint32_t layer : {std::uint32_t{kDura}, std::uint32_t{kArachnoid}}) {
+      const std::vector<Puncture> found = watch.of(layer);
+      ASSERT_EQ(found.size(), 1U);
+      const std::array<Vec3, 3>& t = scene.tiny.membranes[layer - kDura].triangles[0];
+      const Vec3 across = cross(t[1] - t[0], t[2] - t[0]);
+      const float off_m = dot(found[0].rest_m - t[0], (1 / norm(across)) * across);
+      EXPECT_NEAR(static_cast<double>(off_m) * 1e3, 0, kPlaceMm) << layer;
+    }
+  }
+}
+
+// Folds of one membrane, such as a collapsed vessel, are two on the way in, and open on the way
+// back and in again.
+TEST(Membranes, FoldsAreTwo) {
+  Chance chance = {std::mt19937_64(53)};
+  for (const float apart_m : {5e-5F, 3e-4F, 5e-4F}) {
+    SCOPED_TRACE(apart_m);
+    Scene scene = draw_plane(chance);
+    TinyMembrane& both = scene.tiny.membranes[0];
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::array<Vec3, 3> t = both.triangles[k];
+      for (Vec3& p : t) p.x += apart_m;
+      both.triangles.push_back(t);
+    }
+    Rig rig = make_rig(scene.tiny, Config{});
+    Watch watch;
+    const float deep_m = scene.depth_m + 15e-3F;
+    push(rig, watch, scene.start_m, deep_m);
+    EXPECT_EQ(watch.of(kDura).size(), 2U);
+    push(rig, watch, {deep_m, scene.start_m.y, scene.start_m.z}, scene.depth_m - 5e-3F);
+    push(rig, watch, {scene.depth_m - 5e-3F, scene.start_m.y, scene.start_m.z}, deep_m);
+    EXPECT_EQ(watch.of(kDura).size(), 2U);
+  }
+}
+
 // A membrane with tension gives way as a film on the tissue behind it does: at the force of its
 // puncture the tip has come as far as the film's law says. (What voxels give was measured in other
 // scenes, those of seed 43.)
