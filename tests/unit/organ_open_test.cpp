@@ -96,6 +96,12 @@ std::vector<Case> material_cases() {
        "toughness_velocity_exponent", 0, 0.75, "0 to 0.5"},
       {"coefficient", material([](M& m) { m.needle_friction_coefficient = 2.5F; }), range,
        "needle_friction_coefficient", 0, 2.5, "0 to 2"},
+      {"pressure", material([](M& m) { m.fluid_pressure_pa = -6e4F; }), range, "fluid_pressure_pa",
+       0, -6e4, "-5e4 to 1e5"},
+      {"conductance", material([](M& m) { m.fluid_conductance_m3_per_pa_s = 0.5F; }), range,
+       "fluid_conductance_m3_per_pa_s", 0, 0.5, "0 to 1e-4"},
+      {"viscosity", material([](M& m) { m.fluid_viscosity_pa_s = 11; }), range,
+       "fluid_viscosity_pa_s", 0, 11, "0 to 10"},
   };
 }
 
@@ -418,6 +424,9 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
           m.fracture_toughness_j_per_m2 = high ? 1e5F : 0;
           m.toughness_velocity_exponent = high ? 0.5F : 0;
           m.needle_friction_coefficient = high ? 2 : 0;
+          m.fluid_pressure_pa = high ? 1e5F : -5e4F;
+          m.fluid_conductance_m3_per_pa_s = high ? 1e-4F : 0;
+          m.fluid_viscosity_pa_s = high ? 10 : 0;
           o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
           o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? kMaxOriginM : -kMaxOriginM;
           std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
@@ -460,6 +469,12 @@ TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
       material([](M& m) { m.fracture_toughness_j_per_m2 = 1.01e5F; }),
       material([](M& m) { m.toughness_velocity_exponent = 0.501F; }),
       material([](M& m) { m.needle_friction_coefficient = 2.01F; }),
+      material([](M& m) { m.fluid_pressure_pa = 1.01e5F; }),
+      material([](M& m) { m.fluid_pressure_pa = -5.01e4F; }),
+      material([](M& m) { m.fluid_conductance_m3_per_pa_s = 1.01e-4F; }),
+      material([](M& m) { m.fluid_conductance_m3_per_pa_s = -1e-12F; }),
+      material([](M& m) { m.fluid_viscosity_pa_s = 10.01F; }),
+      material([](M& m) { m.fluid_viscosity_pa_s = -1e-6F; }),
       [](Owner& o) { o.voxel_edge_m = 0.1001F; },
       [](Owner& o) { o.origin_z_m = 100.5F; },
       material([](M& m) { m.density_kg_per_m3 = 0.99F; }),

@@ -81,7 +81,8 @@ stylet_output to_output(const Output& out) {
           out.flow.injected_m3,
           out.flow.plunger_m,
           out.flow.plunger_m_per_s,
-          out.flow.filled};
+          out.flow.filled,
+          0};
 }
 
 void tick_plain(stylet_simulation& simulation, const Arrays& arrays, std::size_t input_count,

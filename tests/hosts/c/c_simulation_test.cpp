@@ -264,6 +264,19 @@ TEST(CSimulation, AValueOutsideIsReportedWithFieldAndLimits) {
        0.2, 0, 0.15},
       {"needle.torn_diameters", [](stylet_config&, stylet_needle& n) { n.torn_diameters = 6; }, 6,
        0.1, 5},
+      {"needle.hub", [](stylet_config&, stylet_needle& n) { n.hub = 3; }, 3, 0, 2},
+      {"needle.bore_radius_m",
+       [](stylet_config&, stylet_needle& n) {
+         n.hub = 1;
+         n.bore_radius_m = 7e-4F;
+       },
+       7e-4, 1e-5, 0.635e-3},
+      {"needle.syringe_filled",
+       [](stylet_config&, stylet_needle& n) {
+         n.hub = 2;
+         n.syringe_filled = 2;
+       },
+       2, 0, 1},
       {"needle.tip_half_angle_rad",
        [](stylet_config&, stylet_needle& n) { n.tip_half_angle_rad = 0; }, 0, 0.0872664626,
        1.3962634},
@@ -328,6 +341,7 @@ TEST(CNeedle, HasThePresetOfItsName) {
   ASSERT_EQ(stylet_needle_init(&needle, sizeof needle), STYLET_OK);
   needle.unit_m = 3e-3F;
   needle.rods = 40;
+  needle.hub = 2;
   ASSERT_EQ(stylet_needle_preset(&needle, "25G-quincke"), STYLET_OK);
   EXPECT_NEAR(static_cast<double>(needle.outer_radius_m), 0.2572e-3, 1e-9);
   EXPECT_NEAR(static_cast<double>(needle.bending_nm2) / 6.425e-4, 1, 1e-3);
@@ -335,6 +349,9 @@ TEST(CNeedle, HasThePresetOfItsName) {
   EXPECT_EQ(needle.bevel_per_m, 5);
   EXPECT_EQ(needle.unit_m, 3e-3F);
   EXPECT_EQ(needle.rods, 40U);
+  EXPECT_EQ(needle.hub, 2U);
+  EXPECT_EQ(needle.bore_radius_m, 0.13e-3F);
+  EXPECT_NEAR(static_cast<double>(needle.opening_m) / 0.605e-3, 1, 1e-3);  // half of 12 degrees'
   const stylet_needle before = needle;
   EXPECT_EQ(stylet_needle_preset(&needle, "25G-sharp"), STYLET_ARGUMENT_OUT_OF_RANGE);
   EXPECT_EQ(std::memcmp(&needle, &before, sizeof needle), 0);

@@ -75,6 +75,19 @@ class SameBits(unittest.TestCase):
         self.assertTrue((a["flags"][200:300] & stylet.Flag.INPUT_MISSING).all())
 
 
+    def test_a_syringe_is_pressed(self):
+        """Pressed where no fluid flows, a plunger goes as far as its bubble gives: Boyle's law."""
+        needle = stylet.Needle(hub="syringe", syringe_gas_m3=1e-7, plunger_friction_n=0)
+        poses = insertion(900)
+        rows = stylet.inputs(poses, plunger_n=np.where(np.arange(900) < 850, 0, 10))
+        out = simulation([needle]).run(rows)[-1]
+        area = np.pi * needle.plunger_radius_m**2
+        self.assertAlmostEqual(out["hub_pa"] * area / 10, 1, 4)
+        squeezed = 1e-7 * (1 - 101325 / (101325 + 10 / area))
+        self.assertAlmostEqual(out["plunger_m"] * area / squeezed, 1, 3)
+        self.assertEqual(out["flow_m3_per_s"], 0)
+
+
 class Pose(unittest.TestCase):
     def test_of_a_tip(self):
         """The needle leaves the handle along its -z: straight down needs no rotation, and its base

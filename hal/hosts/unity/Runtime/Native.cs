@@ -65,6 +65,7 @@ public struct Output {
   public uint phase, layer, constraint_particles, events;
   public float stiffness_n_per_m;
   public float opening_pa, hub_pa, flow_m3_per_s, injected_m3, plunger_m, plunger_m_per_s, filled;
+  public uint reserved;
 }
 
 [StructLayout(LayoutKind.Sequential)]

@@ -350,6 +350,7 @@ typedef struct {
   float flow_m3_per_s, injected_m3;
   float plunger_m, plunger_m_per_s;
   float filled;
+  uint32_t reserved;
 } stylet_output;
 
 /* One tick: input i moves needle i, output i is its answer. Either count may be less than the
