@@ -77,7 +77,7 @@ class Refused(unittest.TestCase):
         for wrong in (0, 35, 37, 72, 2 ** 20, 2 ** 32 - 1):
             rows = np.zeros(3, stylet.input_dtype)
             rows["struct_bytes"][0] = wrong
-            self.refused(ValueError, f"struct_bytes {wrong}: expected 36", run.run, rows)
+            self.refused(ValueError, f"struct_bytes {wrong}: expected 40", run.run, rows)
         self.assertEqual(run.hash(), before)
 
     def test_vectors_by_their_names(self):

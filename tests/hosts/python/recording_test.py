@@ -172,7 +172,7 @@ class Recording(unittest.TestCase):
         for attribute, value, words in (("final_state_hash", 1, "state "),
                                         ("lost_records", 3, "not whole"),
                                         ("organ_hash", 5, "organ 0000000000000005"),
-                                        ("format_version", 3, "expected stylet-recording 5")):
+                                        ("format_version", 3, "expected stylet-recording 6")):
             with h5py.File(changed, "r+") as file:
                 before = file.attrs[attribute]
                 file.attrs[attribute] = np.array(value, before.dtype)

@@ -17,6 +17,9 @@ MOST_CHUNK_BYTES = 16 * 4096 * 4 * 8  # as the programs (hal/record/hdf5_table.c
 TICKS_OF_PART = 100_000  # of a replay at a time: 3.6 MB of inputs a needle
 
 TICK_GROUPS = ["input", "output", "device", "guard", "loop"]
+# Of an output, what flows through the needle.
+FLOW = ("opening_pa", "hub_pa", "flow_m3_per_s", "injected_m3", "plunger_m", "plunger_m_per_s",
+        "filled")
 CAUSES = ["stiffness", "cutting", "friction", "clamping", "obstacle"]
 # Of each cause, as in every other figure (hal/palette.csv).
 COLOURS = ["#0072b2", "#c24e00", "#009e73", "#a8478a", "#5c3d00"]
@@ -105,7 +108,7 @@ class Recording:
         """The answers of all ticks, as `Simulation.run` returns them."""
         rows = np.zeros(self.ticks, _stylet.output_dtype)
         for name in rows.dtype.names:
-            rows[name] = self.column(f"output/{name}", needle)
+            rows[name] = self.column(f"{'flow' if name in FLOW else 'output'}/{name}", needle)
         return rows.view(np.recarray)
 
     def inputs(self):
