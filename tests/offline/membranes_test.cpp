@@ -157,6 +157,38 @@ TEST(Membranes, WhatNoNeedleWouldFindIsTold) {
               HasSubstr("no part of it lies in the organ"));
 }
 
+TEST(Membranes, WhatIsNotMeantIsTold) {
+  const Mesh body = offline::block_phantom({60e-3, 50e-3, 50e-3}, 5e-3);
+  const auto warnings = [&](const Membrane& membrane) {
+    BuildOptions options;
+    options.membranes = {membrane};
+    return build_quietly(options, body).report.warnings;
+  };
+  Mesh tiny = offline::ball_phantom(30e-6, 2e-6);  // in the wrong unit
+  for (Vec& p : tiny.points) p = p + Vec{30e-3, 1e-3, -2e-3};
+  EXPECT_THAT(warnings(membrane_of(tiny)), Contains(HasSubstr("check --units")));
+  Mesh ball = offline::ball_phantom(20e-3, 2e-3);
+  for (Vec& p : ball.points) p = p + Vec{30e-3, 1e-3, -2e-3};
+  EXPECT_THAT(warnings(membrane_of(ball, "epidural_fat")),
+              Contains(HasSubstr("it holds no needle")));
+  // Every triangle again, turned over, with points of its own.
+  Mesh twice = ball;
+  for (const offline::Triangle& t : ball.triangles) {
+    const auto first = static_cast<std::uint32_t>(twice.points.size());
+    for (const std::uint32_t i : {t[0], t[2], t[1]}) twice.points.push_back(ball.points[i]);
+    twice.triangles.push_back({first, first + 1, first + 2});
+  }
+  const auto triangles = [&](const Mesh& mesh) {
+    BuildOptions options;
+    options.membranes = {membrane_of(mesh)};
+    Organ organ;
+    const offline::Built built = build_quietly(options, body);
+    EXPECT_EQ(organ_open(built.bytes, organ), Status::kOk);
+    return organ.membrane_triangles.size();
+  };
+  EXPECT_EQ(triangles(twice), triangles(ball));
+}
+
 // A scan of a million triangles must not make a tick dearer than another.
 TEST(Membranes, ASurfaceThatIsTooFineIsSimplified) {
   Mesh ball = offline::ball_phantom(8e-3, 0.3e-3);
@@ -181,7 +213,7 @@ TEST(Membranes, TextsThatCannotBeMeantAreRefused) {
   const auto parsed = [](const std::string& text) {
     return refusal_of([&] { (void)offline::parse_membranes({text}, 1e-3); });
   };
-  for (const char* text : {"dura", "x=:dura", "x=1mm:dura", "x=12:", ":dura"}) {
+  for (const char* text : {"dura", "x=:dura", "x=1mm:dura", "x=nan:dura", "x=12:", ":dura"}) {
     EXPECT_THAT(parsed(text), HasSubstr("expected MESH:TISSUE, or x=MM:TISSUE")) << text;
   }
   EXPECT_THAT(parsed("no-such.stl:dura"), HasSubstr("no-such.stl"));

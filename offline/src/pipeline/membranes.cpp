@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/membranes.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "base/most_off.h"
 #include "base/refusal.h"
@@ -23,7 +28,7 @@ double plane_m(const std::string& text, const std::string& from) {
   double mm = 0;
   const char* const end = from.data() + from.size();
   const auto [read, error] = std::from_chars(from.data() + 2, end, mm);
-  if (error != std::errc{} || read != end) {
+  if (error != std::errc{} || read != end || !std::isfinite(mm)) {
     refuse("--membrane '{}': expected MESH:TISSUE, or x=MM:TISSUE, also with y and z", text);
   }
   return mm * 1e-3;
@@ -50,6 +55,39 @@ CellGrid cells_of(const Lattice& lattice) {
   return {grid.origin_m, grid.edge_m, {grid.size[0], grid.size[1], grid.size[2]}};
 }
 
+// A triangle that is there twice, turned over or not, would count twice in the lattice's tension.
+Mesh without_repeats(const Mesh& mesh) {
+  std::map<std::array<double, 3>, std::uint32_t> number;
+  std::set<Triangle> seen;
+  Mesh out;
+  for (const Triangle& t : mesh.triangles) {
+    Triangle here{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec p = mesh.points[t[i]];
+      const auto next = static_cast<std::uint32_t>(out.points.size());
+      const auto [place, is_new] = number.try_emplace({p.x, p.y, p.z}, next);
+      if (is_new) out.points.push_back(p);
+      here[i] = place->second;
+    }
+    Triangle sorted = here;
+    std::sort(sorted.begin(), sorted.end());
+    if (seen.insert(sorted).second) out.triangles.push_back(here);
+  }
+  return out;
+}
+
+// Most middles of triangles in a cell: quick, and about as many as the cell's list would have.
+double crowding(const Mesh& mesh, const CellGrid& grid) {
+  std::map<std::array<double, 3>, std::size_t> middles;
+  std::size_t most = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec sum = mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]];
+    const Vec at = (sum * (1.0 / 3) - grid.origin_m) * (1 / grid.edge_m);
+    most = std::max(most, ++middles[{std::floor(at.x), std::floor(at.y), std::floor(at.z)}]);
+  }
+  return static_cast<double>(most);
+}
+
 // A surface with so many triangles in a cell that a tick could not test them all gets fewer. The
 // user is told if it moves by that.
 Mesh simple_enough(const Membrane& membrane, Mesh mesh, std::uint16_t material,
@@ -59,6 +97,12 @@ Mesh simple_enough(const Membrane& membrane, Mesh mesh, std::uint16_t material,
   // Other membranes may lie in the same cell.
   constexpr double kWanted = kMaxTrianglesPerCell / 2.0;
   const Mesh whole = mesh;
+  const double crowd = crowding(mesh, grid);
+  if (crowd > kWanted) {
+    mesh = with_fewer_triangles(
+        mesh, static_cast<std::size_t>(0.7 * kWanted / crowd *
+                                       static_cast<double>(mesh.triangles.size())));
+  }
   for (int i = 0; i < kMostTries; ++i) {
     const auto most = static_cast<double>(most_in_a_cell(list_membranes({{mesh, material}}, grid)));
     if (most <= kWanted) break;
@@ -76,6 +120,24 @@ Mesh simple_enough(const Membrane& membrane, Mesh mesh, std::uint16_t material,
         mesh.triangles.size(), moved_m * 1e3));
   }
   return mesh;
+}
+
+void warn_of_unlikely(const Membrane& membrane, const Mesh& mesh, const Tissue& tissue,
+                      std::vector<std::string>& warnings) {
+  constexpr double kSmallestM = 1e-3;
+  const double side_m = longest_side(bounds(mesh));
+  if (side_m < kSmallestM) {
+    warnings.push_back(fmt::format(
+        "membrane {} ({}): its longest side is {:.2g} mm: expected a millimetre or more; check "
+        "--units and --scale",
+        membrane.tissue, membrane.from, side_m * 1e3));
+  }
+  const bool tears = tissue.fracture_toughness_j_per_m2 > 0;
+  if (tears || tissue.puncture_force_n > tissue.cutting_force_n) return;
+  warnings.push_back(fmt::format(
+      "membrane {}: its puncture force of {:.3g} N is not above its cutting force of {:.3g} N: "
+      "expected more, or it holds no needle",
+      membrane.tissue, tissue.puncture_force_n, tissue.cutting_force_n));
 }
 
 // Only the part that lies in tissue is met.
@@ -125,6 +187,13 @@ std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
       membrane.sha256 = read.sha256;
       membrane.metres_per_unit = metres_per_unit;
       for (Vec& p : membrane.mesh_m.points) p = p * metres_per_unit;
+      constexpr double kFarthestM = 8;  // as the organ format has it
+      const Box box = bounds(membrane.mesh_m);
+      for (const Vec& p : {box.low, box.high}) {
+        if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kFarthestM) continue;
+        refuse("--membrane '{}': it reaches farther than {} m: check --units and --scale", text,
+               kFarthestM);
+      }
       membrane.from = std::filesystem::path(membrane.from).filename().string();
       if (!(area_m2(membrane.mesh_m) > 0)) {
         refuse("--membrane '{}': {} triangles without area: expected a surface", text,
@@ -151,10 +220,11 @@ MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Latt
   const CellGrid grid = cells_of(lattice);
   std::vector<MembraneSurface> surfaces;
   for (const Membrane& membrane : membranes) {
-    const std::uint16_t material =
-        number_of(materials, find_tissue(materials.own, membrane.tissue));
-    Mesh mesh =
-        membrane.is_plane ? plane_through(membrane.axis, membrane.at_m, grid) : membrane.mesh_m;
+    const Tissue& tissue = find_tissue(materials.own, membrane.tissue);
+    const std::uint16_t material = number_of(materials, tissue);
+    Mesh mesh = membrane.is_plane ? plane_through(membrane.axis, membrane.at_m, grid)
+                                  : without_repeats(membrane.mesh_m);
+    warn_of_unlikely(membrane, mesh, tissue, warnings);
     mesh = simple_enough(membrane, std::move(mesh), material, grid, warnings);
     warn_of_outside(membrane, mesh, list_membranes({{mesh, material}}, grid), lattice, warnings);
     surfaces.push_back({std::move(mesh), material});
