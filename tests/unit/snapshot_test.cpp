@@ -38,8 +38,8 @@ void sign(const Kernel& kernel, std::vector<std::byte>& bytes) {
   std::memcpy(bytes.data(), &header, sizeof header);
 }
 
-// Two needles, one of them on bone, each with a syringe, in tissue of true mass and with a membrane,
-// all of which have fields of their own; and a snapshot.
+// Two needles, one on bone, each with a syringe, in tissue of true mass with a membrane: all
+// that has fields of its own; and a snapshot.
 struct Taken {
   std::unique_ptr<OpenOrgan> organ = block_organ(6, 5, 8, {0, true});
   Config config = config_of(Setup::kElastic);
