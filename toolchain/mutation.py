@@ -70,6 +70,8 @@ SUBJECTS |= {name: (f"kernel/src/coupling/{name}.cpp", COUPLING)
              for name in ("contact", "contact_spring", "cut", "deformation", "friction",
                           "insertion", "layers", "relaxation", "return_map", "shaft",
                           "stiffness", "support", "track")}
+SUBJECTS["sideways"] = ("kernel/src/coupling/sideways.cpp", [["coupling_sideways"]])
+SUBJECTS["held"] = ("kernel/src/coupling/membranes.cpp", [["insertion_membranes"]])
 # Tests of offline, programs and scripts; those that read every available file come last.
 RANDOM_MESHES = ["fuzz_mesh", SOURCE / "tests/fuzz/seeds/mesh"]
 RANDOM_LABELS = ["fuzz_label", SOURCE / "tests/fuzz/seeds/label"]
@@ -125,6 +127,8 @@ OFFLINE = {
                     RANDOM_LABELS],
     "maps/recipe": [["fuzz_recipe", SOURCE / "tests/fuzz/seeds/recipe"],
                      ["offline_label_test", "--gtest_filter=Recipe.*"], *LABELS],
+    **dict.fromkeys(("asset/membranes", "pipeline/membranes"),
+                    [["offline_organ_test", "--gtest_filter=Membranes.*"]]),
     "asset/materials": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"], ORGANS,
                   ["offline_program_test", "--gtest_filter=Program.Own*"], MAPS, REAL_BODY],
     **dict.fromkeys(("pipeline/label_organ", "maps/groups", "pipeline/bodies", "maps/skin",
