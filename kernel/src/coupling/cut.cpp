@@ -73,12 +73,14 @@ void press_against(const Model& model, State& state, Particle& tip, std::uint32_
   enter_material(model, state, tip, film ? Role::kMembrane : Role::kTip);
   tip.material = there;
   state.needle->spring_layer = membrane;
+  tip.force_n = force_on_tissue(tip);  // what slips in this tick begins from it
 }
 
 // The tip has the spring of the tissue that it lies in again.
 void leave_film(const Model& model, State& state, Particle& tip) {
   enter_material(model, state, tip);
   state.needle->spring_layer = tip.material;
+  tip.force_n = force_on_tissue(tip);
 }
 
 // A membrane that holds the tip breaks once it is pressed hard enough.

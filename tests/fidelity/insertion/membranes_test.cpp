@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -412,6 +413,40 @@ TEST(Membranes, TentAsFilms) {
                           std::pow(static_cast<double>(scene.tiny.voxel_edge_m), 2);
     EXPECT_GT(tents, static_cast<double>(dura.puncture_force_n) < 12 * unit_n ? 0.93 : 0.75);
     EXPECT_LT(tents, 1.07);
+  }
+}
+
+// At a puncture what was stored is spent, and no more is booked than that.
+TEST(Membranes, TheBooksOfAPunctureClose) {
+  Chance chance = {std::mt19937_64(54)};
+  for (int i = 0; i < 6; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draw_plane(chance);
+    TinyMaterial& dura = scene.tiny.materials[kDura];
+    dura.membrane_n_per_m = chance.between(300, 4000);
+    dura.puncture_force_n *= chance.between(1, 4);
+    scene.tiny.membranes[0].area = 1;
+    Config config;
+    if (i % 2 == 1) config.inertia = Inertia::kAddedMass;
+    Rig rig = make_rig(scene.tiny, config);
+    Watch watch;
+    Energy before = {};
+    double most_j = 0, fall_j = 0, created_j = 0;
+    const auto stored = [](const Energy& e) { return e.elastic + e.kinetic + e.coupling; };
+    const auto booked = [](const Energy& e) { return e.friction + e.cutting + e.relaxation; };
+    drive(rig, scene.start_m, scene.depth_m + 20e-3F, 40e-3F, [&](const Output&) {
+      watch(rig);
+      const Energy e = energy(rig.kernel());
+      const double spent_j = e.work_by_hand - stored(e);
+      most_j = std::max(most_j, spent_j);
+      fall_j = std::max(fall_j, most_j - spent_j);
+      created_j = std::max(created_j, (booked(e) - booked(before)) + (stored(e) - stored(before)) -
+                                          (e.work_by_hand - before.work_by_hand));
+      before = e;
+    });
+    ASSERT_EQ(watch.of(kDura).size(), 1U);
+    EXPECT_LT(fall_j, 1e-6) << "of " << most_j;
+    EXPECT_LT(created_j, 0.005 * most_j);  // a tick books the mean of its forces
   }
 }
 
