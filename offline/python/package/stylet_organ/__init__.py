@@ -90,7 +90,7 @@ def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=N
     `progress` is called with a stage and how much of it is done; what it raises ends the build, as
     Ctrl-C does. Options, with the program's defaults: name, voxel_edge_m, voxels_across, capsule,
     fix, crop, layers, layers_of, layers_along, membranes, fill_gaps, split_gaps; texts as the
-    program's.
+    program's: in mm, and so is a membrane's mesh file.
 
     Returns Built. What the program would warn of is a UserWarning here, what it would refuse is
     Refused, a ValueError: in its words, with the names of arguments for its options."""
@@ -118,7 +118,8 @@ def from_mesh(vertices_m, faces, tissue="liver", **options):
 
 
 def from_meshes(meshes, *, materials=None, progress=None, **options):
-    """An organ of surfaces, each a Mesh. Options are those of from_labels, and `wrap`: a closed
+    """An organ of surfaces, each a Mesh. Options are those of from_labels (but a membrane's
+    mesh file is in m, as these are), and `wrap`: a closed
     skin around each, for those that are not closed; what it does to holes and volume is told."""
     meshes = list(meshes)
     if not meshes:
