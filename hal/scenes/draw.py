@@ -319,7 +319,7 @@ def lumbar_puncture(run):
             force_over_time(run, "The same over time")]
 
 
-SPINE = [*LUMBAR, "dura", "cerebrospinal fluid"]
+SPINE = [*LUMBAR, "cerebrospinal fluid", "dura"]
 FLUID = ("flashback", "loss of resistance")
 
 
