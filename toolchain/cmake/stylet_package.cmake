@@ -55,7 +55,8 @@ install(FILES ${PROJECT_BINARY_DIR}/stylet.pc DESTINATION ${CMAKE_INSTALL_LIBDIR
 
 # What these pages and those of hal and offline link to; the test hosts.installed follows each link.
 foreach(page README.md CHANGELOG.md CONTRIBUTING.md GLOSSARY.md LICENSE kernel/README.md
-    kernel/PHYSICS.md kernel/PROMISES.md kernel/constants.md tests/README.md tests/golden/README.md
+    kernel/PHYSICS.md kernel/PROMISES.md kernel/constants.md kernel/own_law.md tests/README.md
+    tests/bench/README.md tests/golden/README.md
     tests/rt/README.md tests/simulator/README.md tests/e2e/halving.md
     tests/fidelity/calculix/README.md tests/fidelity/calculix/convergence.svg
     toolchain/README.md toolchain/RELEASE.md)
