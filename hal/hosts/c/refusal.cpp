@@ -2,17 +2,45 @@
 #include "hal/hosts/c/refusal.h"
 
 #include <array>
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 
+#include "hal/hosts/c/short_number.h"
 #include "hal/hosts/c/sized.h"
 
 namespace stylet::c {
 namespace {
 
+// Text into an array, as much as it holds.
+template <std::size_t kBytes>
+class Line {
+ public:
+  explicit Line(char (&out)[kBytes]) : out_(out) { out_[0] = '\0'; }
+  Line& operator<<(const char* text) {
+    for (; *text != '\0' && length_ + 1 < kBytes; ++text) out_[length_++] = *text;
+    out_[length_] = '\0';
+    return *this;
+  }
+  Line& operator<<(std::uint64_t number) {
+    char digits[21] = {};
+    std::size_t first = 20;
+    do {
+      digits[--first] = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number != 0);
+    return *this << digits + first;
+  }
+  Line& operator<<(double number) { return *this << ShortNumber(number).text(); }
+
+ private:
+  char (&out_)[kBytes];
+  std::size_t length_ = 0;
+};
+
 template <std::size_t kBytes>
 void copy_text(const char* text, char (&out)[kBytes]) {
-  std::snprintf(out, kBytes, "%s", text);
+  Line(out) << text;
 }
 
 // Fields of the kernel that callers know by another name, and those of more than one number, which
@@ -59,7 +87,7 @@ stylet_status refuse_file(stylet_refusal* refusal_out, stylet_status status, con
   why.status = status;
   copy_text("file", why.place);
   copy_text(reason, why.expected);
-  std::snprintf(why.text, sizeof why.text, "%s: %s", path, reason);
+  Line(why.text) << path << ": " << reason;
   return tell(refusal_out, why);
 }
 
@@ -79,9 +107,8 @@ stylet_status refuse_organ(stylet_refusal* refusal_out, const OrganRefusal& of) 
   why.index = of.index;
   why.value = of.value;
   copy_text(of.expected, why.expected);
-  std::snprintf(why.text, sizeof why.text, "%s %llu: %g: expected %s (%s)", of.place,
-                static_cast<unsigned long long>(of.index), of.value, of.expected,
-                status_name(of.status));
+  Line(why.text) << of.place << " " << of.index << ": " << of.value << ": expected " << of.expected
+                 << " (" << status_name(of.status) << ")";
   return tell(refusal_out, why);
 }
 
@@ -95,10 +122,11 @@ stylet_status refuse_config(stylet_refusal* refusal_out, Status status, const Co
   why.value = of.value;
   why.least = of.least;
   why.most = of.most;
-  char vertex[32] = "";
-  if (field.name == kVertices) std::snprintf(vertex, sizeof vertex, "vertex %u: ", of.vertex);
-  std::snprintf(why.text, sizeof why.text, "%s [%u]: %s%s%g: expected %g to %g", field.name,
-                of.index, vertex, field.number, of.value, of.least, of.most);
+  Line text(why.text);
+  text << field.name << " [" << std::uint64_t{of.index} << "]: ";
+  if (field.name == kVertices) text << "vertex " << std::uint64_t{of.vertex} << ": ";
+  text << field.number << static_cast<double>(of.value) << ": expected "
+       << static_cast<double>(of.least) << " to " << static_cast<double>(of.most);
   return tell(refusal_out, why);
 }
 
