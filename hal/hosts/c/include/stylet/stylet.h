@@ -52,7 +52,6 @@ extern "C" {
 #endif
 
 /* ==== Version ================================================================================ */
-
 #define STYLET_VERSION_MAJOR 0
 #define STYLET_VERSION_MINOR 2
 #define STYLET_VERSION_PATCH 0
@@ -66,7 +65,6 @@ STYLET_API const char* stylet_build_text(void);
 STYLET_API uint64_t stylet_state_layout(void);
 
 /* ==== Status, limits and other numbers ======================================================= */
-
 /* Numbers never change meaning. */
 typedef uint16_t stylet_status;
 enum {
@@ -139,7 +137,6 @@ typedef struct {
 } stylet_pose;
 
 /* ==== Organ ================================================================================== */
-
 typedef struct stylet_organ stylet_organ;
 
 /* Checks structure, values and the sum that the file holds of its own bytes. */
@@ -211,7 +208,6 @@ STYLET_API int stylet_organ_raycast(const stylet_organ* organ, stylet_vec3 origi
                                     stylet_vec3 direction, float* distance_out_m);
 
 /* ==== Simulation ============================================================================= */
-
 typedef struct {
   uint32_t struct_bytes;
   uint32_t mode; /* 0: every parameter a physical quantity; 1: the rules of the paper */
@@ -480,7 +476,6 @@ STYLET_API stylet_status stylet_simulation_set_helpers(stylet_simulation* simula
 STYLET_API int stylet_simulation_help(stylet_simulation* simulation, uint32_t looks);
 
 /* ==== Batch: many simulations at once ======================================================== */
-
 typedef struct stylet_batch stylet_batch;
 
 /* Threads: 0 takes one for each processor. While the batch lives, its simulations are used through
