@@ -14,6 +14,7 @@ import numpy as np
 # In the order of kernel/schema/organ.fbs; "": left out.
 MEMBRANES = {"membrane_points": "f4,f4,f4", "membrane_triangles": "u4,u4,u4",
              "membrane_cells": "u2,u2,u2,u2,u4,u4,f4"}
+SLIDES = {"slide_points": "u4,u2,u2,u2,u2,f4,u4,f4", "slide_grounds": "u4,8f4"}
 SHEETS = {"rows": "<H", "ties": "u2,u2,u2,u2", "parts": "u2,u2,u2,u2,u8"}
 ORGAN = {"format_version": "<I", "name": "", "voxel_edge_m": "<f", "origin_x_m": "<f",
          "origin_y_m": "<f", "origin_z_m": "<f", "size_x": "<H", "size_y": "<H", "size_z": "<H",
@@ -21,7 +22,7 @@ ORGAN = {"format_version": "<I", "name": "", "voxel_edge_m": "<f", "origin_x_m":
          "materials": "", "vertices": "u4,u2,u2,u2,u2", "triangles": "u4,u4,u4",
          "sphere_nodes": "f4,f4,f4,f4,u4,u4", "provenance": "",
          "mixed": "u4,u2,u2,f4,f4,f4,f4", "sheets": SHEETS,
-         "content_sha256": "u1", "membranes": MEMBRANES}
+         "content_sha256": "u1", "membranes": MEMBRANES, "slides": SLIDES}
 
 
 def read_table(data, root, fields, out):
@@ -46,8 +47,8 @@ def read_organ(path):
         raise ValueError(f"{path}: not an organ file: expected the letters STLO at byte 4")
     organ = read_table(data, struct.unpack_from("<I", data)[0], ORGAN, {})
     version = organ.get("format_version", 0)
-    if version not in (1, 2, 3):
-        raise ValueError(f"{path}: format version {version}: expected 1, 2 or 3")
+    if version not in (1, 2, 3, 4):
+        raise ValueError(f"{path}: format version {version}: expected 1 to 4")
     known = organ.get("content_sha256", np.empty(0)).tobytes()
     if (version > 1 or known) and hashlib.sha256(data.replace(known, b"", 1)).digest() != known:
         raise ValueError(f"{path}: content_sha256: not the sum of its bytes: some byte has changed")

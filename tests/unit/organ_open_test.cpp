@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -113,8 +114,8 @@ std::vector<Case> lattice_cases() {
     o.runs[i] = format::Run(x, old.y(), old.z(), count);
   };
   return {
-      {"version", [](Owner& o) { o.format_version = 4; }, Status::kOrganVersionUnknown,
-       "format_version", 0, 4, "version 1, 2 or 3"},
+      {"version", [](Owner& o) { o.format_version = 5; }, Status::kOrganVersionUnknown,
+       "format_version", 0, 5, "version 1 to 4"},
       {"sum", [](Owner& o) { o.content_sha256.assign(20, 1); }, Status::kOrganSizesDisagree,
        "content_sha256", 0, 20, "32 bytes, or none"},
       {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,
@@ -260,6 +261,88 @@ std::vector<Case> membrane_cases() {
   };
 }
 
+format::SlideGround slide_ground(std::uint32_t voxel, const std::array<float, 8>& distance) {
+  return {voxel, flatbuffers::span<const float, 8>(distance)};
+}
+
+// A point in voxel 0, and grounds in voxels 3 and 5.
+void add_slides(Owner& o) {
+  o.format_version = 4;
+  o.slides = std::make_unique<format::SlidesT>();
+  o.slides->points = {format::SlidePoint(0, 1, 2, 65535, 0, 0.5F, 1, 0.125F)};
+  o.slides->grounds = {slide_ground(3, {}), slide_ground(5, {1, 2, 3, 4, 5, 6, 7, 8.25F})};
+}
+
+Change slides(const std::function<void(format::SlidesT&)>& change) {
+  return [change](Owner& o) {
+    add_slides(o);
+    change(*o.slides);
+  };
+}
+
+std::vector<Case> slide_point_cases() {
+  const Status range = Status::kOrganValueOutOfRange, index = Status::kOrganIndexOutOfRange;
+  using S = format::SlidesT;
+  using Point = format::SlidePoint;
+  const auto point = [](const Point& p) { return slides([p](S& s) { s.points.push_back(p); }); };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const char* const area = "above 0, at most 4";
+  return {
+      {"in an old file",
+       [](Owner& o) {
+         add_slides(o);
+         o.format_version = 3;
+       },
+       Status::kOrganVersionUnknown, "slides", 0, 3, "format version 4 where parts slide"},
+      {"many points", slides([](S& s) { s.points.resize(65537, s.points[0]); }), range,
+       "slides.points", 0, 65537, "at most 65536 points"},
+      {"voxel", point({12, 0, 0, 0, 0, 1, 0, 0}), index, "slides.points.voxel", 1, 12,
+       "a voxel of the lattice"},
+      {"voxel of a ground", point({5, 0, 0, 0, 0, 1, 0, 0}), index, "slides.points.voxel", 1, 5,
+       "a voxel that is no ground"},
+      {"reserved", point({0, 0, 0, 0, 7, 1, 0, 0}), range, "slides.points.reserved", 1, 7, "0"},
+      {"no area", point({0, 0, 0, 0, 0, 0, 0, 0}), range, "slides.points.area", 1, 0, area},
+      {"much area", point({0, 0, 0, 0, 0, 4.5F, 0, 0}), range, "slides.points.area", 1, 4.5, area},
+      {"area that is not a number", point({0, 0, 0, 0, 0, nan, 0, 0}), range, "slides.points.area",
+       1, static_cast<double>(nan), area},
+      {"ground", point({0, 0, 0, 0, 0, 1, 2, 0}), index, "slides.points.ground", 1, 2,
+       "an index into grounds"},
+      {"friction below 0", point({0, 0, 0, 0, 0, 1, 0, -0.5F}), range, "slides.points.friction", 1,
+       -0.5, "0 to 2"},
+      {"friction", point({0, 0, 0, 0, 0, 1, 0, 2.5F}), range, "slides.points.friction", 1, 2.5,
+       "0 to 2"},
+      {"friction that is not a number", point({0, 0, 0, 0, 0, 1, 0, nan}), range,
+       "slides.points.friction", 1, static_cast<double>(nan), "0 to 2"},
+      {"no grounds", slides([](S& s) { s.grounds.clear(); }), index, "slides.points.ground", 0, 1,
+       "an index into grounds"},
+  };
+}
+
+std::vector<Case> slide_ground_cases() {
+  const Status range = Status::kOrganValueOutOfRange, index = Status::kOrganIndexOutOfRange;
+  using S = format::SlidesT;
+  const auto ground = [](std::uint32_t voxel, std::size_t corner, float distance) {
+    return slides([=](S& s) {
+      std::array<float, 8> distances{};
+      distances[corner] = distance;
+      s.grounds.push_back(slide_ground(voxel, distances));
+    });
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const char* const rising = "voxels in rising order, each once";
+  return {
+      {"voxel", ground(12, 0, 0), index, "slides.grounds.voxel", 2, 12, "a voxel of the lattice"},
+      {"order", ground(4, 0, 0), Status::kOrganOrderWrong, "slides.grounds.voxel", 2, 4, rising},
+      {"twice", ground(5, 0, 0), Status::kOrganOrderWrong, "slides.grounds.voxel", 2, 5, rising},
+      {"first corner", ground(6, 0, -100.5F), range, "slides.grounds.distance", 2, -100.5,
+       "-100 to 100"},
+      {"last corner", ground(6, 7, 100.5F), range, "slides.grounds.distance", 2, 100.5,
+       "-100 to 100"},
+      {"not a number", ground(6, 3, nan), range, "slides.grounds.distance", 2,
+       static_cast<double>(nan), "-100 to 100"},
+  };
+}
+
 std::vector<Case> surface_cases() {
   const Status range = Status::kOrganValueOutOfRange, index = Status::kOrganIndexOutOfRange;
   const auto first_leaf = [](const Owner& o) {
@@ -355,6 +438,21 @@ TEST(OrganOpen, RefusesMembranesWithTheirPlace) {
   ASSERT_EQ(organ_open(changed(add_membrane, small()), organ), Status::kOk);
   EXPECT_EQ(organ.membrane_cells.size(), 1U);
   for (const Case& c : membrane_cases()) expect_refused(c);
+}
+
+TEST(OrganOpen, RefusesSlidesWithTheirPlace) {
+  Organ organ;
+  const std::vector<std::byte> good = changed(add_slides, small());
+  ASSERT_EQ(organ_open(good, organ), Status::kOk);
+  ASSERT_EQ(organ.slide_points.size(), 1U);
+  ASSERT_EQ(organ.slide_grounds.size(), 2U);
+  EXPECT_EQ(organ.slide_points[0].fz, 65535);
+  EXPECT_EQ(organ.slide_points[0].ground, 1U);
+  EXPECT_EQ(organ.slide_points[0].friction, 0.125F);
+  EXPECT_EQ(organ.slide_grounds[1].voxel, 5U);
+  EXPECT_EQ(organ.slide_grounds[1].distance[7], 8.25F);
+  for (const Case& c : slide_point_cases()) expect_refused(c);
+  for (const Case& c : slide_ground_cases()) expect_refused(c);
 }
 
 // The tree is checked last.

@@ -26,6 +26,12 @@ constexpr std::uint32_t kMaxTriangles = 16'000'000;
 constexpr std::uint32_t kMaxMembranePoints = 8'000'000;
 constexpr std::uint32_t kMaxMembraneTriangles = 16'000'000;
 constexpr std::uint32_t kMaxTrianglesPerCell = 256;
+// Points of surfaces that slide: each is followed in every substep. A point stands for the surface
+// in one voxel, which is no more than a plane cuts from it, and a fold's.
+constexpr std::uint32_t kMaxSlidePoints = 65'536;
+constexpr float kMaxSlideArea = 4.0F;        // squares of the edge
+constexpr float kMaxSlideFriction = 2.0F;    // as of needles in tissue
+constexpr float kMaxSlideDistance = 100.0F;  // edges from a ground's corner to its surface
 // Largest coordinate of the lattice's origin. A needle comes within 2.5 m of that origin, so every
 // place that matters lies within 8 m of the world's. There floats resolve 0.5 um: a fortieth of the
 // skins that tell contact from rounding (surface.cpp). At 100 m they resolve 8 um.

@@ -56,6 +56,18 @@ struct OrganMembraneCell {  // a membrane in a cell of space
   float area;                  // within the cell, in squares of the edge
 };
 
+struct OrganSlidePoint {  // of one part's surface, where it faces a part that it may slide along
+  std::uint32_t voxel;
+  std::uint16_t fx, fy, fz, reserved;
+  float area;            // in squares of the edge
+  std::uint32_t ground;  // of slide_grounds, at rest
+  float friction;
+};
+struct OrganSlideGround {  // a voxel of the other part, near its surface
+  std::uint32_t voxel;
+  float distance[8];  // of its corners to that surface, in edges, positive outside
+};
+
 struct Organ {
   const void* root = nullptr;  // the FlatBuffers table; only organ.cpp looks inside
   const char* name = nullptr;
@@ -80,6 +92,8 @@ struct Organ {
   std::span<const OrganPoint> membrane_points;
   std::span<const OrganTriangle> membrane_triangles;
   std::span<const OrganMembraneCell> membrane_cells;  // sorted by z, y, x, material
+  std::span<const OrganSlidePoint> slide_points;
+  std::span<const OrganSlideGround> slide_grounds;  // sorted by voxel
   // SHA-256 of all bytes of the file but these 32, or empty (format version 1). Whoever loads a
   // file checks it: the kernel cannot compute a SHA-256.
   std::span<const std::uint8_t> content_sha256;

@@ -8,6 +8,8 @@
 #include <bit>
 #include <cmath>
 
+#include "organ/check_slides.h"
+#include "organ/checker.h"
 #include "organ/runs.h"
 #include "organ_generated.h"
 #include "stylet/limits.h"
@@ -25,25 +27,11 @@ static_assert(sizeof(OrganTie) == sizeof(format::Tie));
 static_assert(sizeof(OrganPart) == sizeof(format::Part));
 static_assert(sizeof(OrganPoint) == sizeof(format::MembranePoint));
 static_assert(sizeof(OrganMembraneCell) == sizeof(format::MembraneCell));
+static_assert(sizeof(OrganSlidePoint) == sizeof(format::SlidePoint));
+static_assert(sizeof(OrganSlideGround) == sizeof(format::SlideGround));
 
-constexpr std::uint32_t kNewestFormat = 3;
+constexpr std::uint32_t kNewestFormat = 4;
 constexpr float kMaxPointM = 8;  // every place that matters is nearer: see kMaxOriginM
-
-// Keeps the first refusal, so that every check below reads as one line; later checks do not run.
-struct Checker {
-  OrganRefusal refusal;
-
-  bool require(bool good, Status status, const char* place, std::uint64_t index, double value,
-               const char* expected) {
-    if (!good) refusal = {status, place, index, value, expected};
-    return good;
-  }
-  bool in_range(float value, float low, float high, const char* place, std::uint64_t index,
-                const char* expected) {
-    return require(value >= low && value <= high, Status::kOrganValueOutOfRange, place, index,
-                   static_cast<double>(value), expected);
-  }
-};
 
 template <typename Mine, typename Theirs>
 std::span<const Mine> view(const flatbuffers::Vector<const Theirs*>* vector) {
@@ -423,6 +411,10 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
     organ.membrane_triangles = view<OrganTriangle>(membranes->triangles());
     organ.membrane_cells = view<OrganMembraneCell>(membranes->cells());
   }
+  if (const format::Slides* slides = root.slides()) {
+    organ.slide_points = view<OrganSlidePoint>(slides->points());
+    organ.slide_grounds = view<OrganSlideGround>(slides->grounds());
+  }
   return organ;
 }
 
@@ -444,13 +436,14 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
       const format::Organ& root = *format::GetOrgan(data);
       const std::uint32_t version = root.format_version();
       if (check.require(version >= 1 && version <= kNewestFormat, Status::kOrganVersionUnknown,
-                        "format_version", 0, version, "version 1, 2 or 3")) {
+                        "format_version", 0, version, "version 1 to 4")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
                check_sheets(check, organ, version) && check_materials(check, organ) &&
                check_voxels(check, organ) && check_mixed(check, organ, version) &&
                check_surface(check, organ) && check_spheres(check, organ) &&
-               check_membranes(check, organ, version));
+               check_membranes(check, organ, version) &&
+               (root.slides() == nullptr || check_slides(check, organ)));
       }
     }
   }
