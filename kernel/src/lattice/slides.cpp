@@ -11,8 +11,8 @@ namespace {
 // other by a tenth of what a voxel of them is compressed.
 constexpr float kContactStiffness = 10.0F;
 // What contact may add to the bound on a particle's stiffness, in parts of what its voxels have.
-// More would cost passes of the filter everywhere. Where voxels are slivers, and where a fold brings
-// many points to one voxel, contact is softer instead.
+// More would cost passes of the filter everywhere. Where voxels are slivers, and where a fold
+// brings many points to one voxel, contact is softer instead.
 constexpr float kRoom = 0.5F;
 // A ground that is compressed to less than half makes depths steeper. Beyond, the slope is held.
 constexpr float kSteepest = 2.0F;
@@ -54,7 +54,7 @@ struct Seen {
   Vec3 at_m;
   Mat3 gradient;  // of the place now, by the place at rest
 };
-Seen see(const Ground& ground, Vec3 place, float edge_m, const Places& places) {
+Seen see(const SlideGround& ground, Vec3 place, float edge_m, const Places& places) {
   Seen out;
   out.weights = weights_at(place);
   Vec3 moved = {};
@@ -125,7 +125,7 @@ struct Outside {
   float m;
   Vec3 slope;
 };
-Outside outside(const Ground& ground, const Weights& weights, float edge_m) {
+Outside outside(const SlideGround& ground, const Weights& weights, float edge_m) {
   Outside out = {};
   for (std::uint32_t i = 0; i < 8; ++i) {
     out.m = out.m + weights.of[i] * ground.outside_m[i];
@@ -147,7 +147,7 @@ SlideContact meet(const Model& model, const SlidePoint& point, const Places& pla
   const Vec3 step = (1 / edge_m) * (back * slip_m);
   own.place = own.place + Vec3{clamp(step.x, -1, 1), clamp(step.y, -1, 1), clamp(step.z, -1, 1)};
   enter_voxel(model, own.ground, own.place);
-  const Ground& ground = model.ground[own.ground];
+  const SlideGround& ground = model.ground[own.ground];
   const Seen now = see(ground, own.place, edge_m, places);
   if (is_beside(own.place) || !invert(now.gradient, back)) return out;
   const Outside off = outside(ground, now.weights, edge_m);
@@ -180,7 +180,7 @@ void each_bound(const Model& model, const SlidePoint& point, const SlideState& o
                 const SlideContact& c, Visit visit) {
   const float k = point.stiffness_n_per_m * max_of(dot(c.slope, c.slope), 1);
   const float size = size_of(c.weight);
-  const Ground& ground = model.ground[own.ground];
+  const SlideGround& ground = model.ground[own.ground];
   for (std::uint32_t i = 0; i < 8; ++i) {
     visit(point.node[i], bound_of(k, point.weight[i], size));
     visit(ground.node[i], bound_of(k, c.weight[i], size));
@@ -221,7 +221,7 @@ void add_force(const Model& model, const SlidePoint& point, const SlideState& ow
                const SlideContact& c, Vec3 force_n, float* sums) {
   const std::size_t axis = model.head->counts.slid_particles;
   const float of[3] = {force_n.x, force_n.y, force_n.z};
-  const Ground& ground = model.ground[own.ground];
+  const SlideGround& ground = model.ground[own.ground];
   for (std::uint32_t a = 0; a < 3; ++a) {
     float* const to = sums + a * axis;
     for (std::uint32_t i = 0; i < 8; ++i) {
@@ -269,7 +269,7 @@ void fill_grounds(const Organ& organ, Model& model) {
   const ModelHead& head = *model.head;
   for (std::uint32_t i = 0; i < head.counts.grounds; ++i) {
     const OrganSlideGround& given = organ.slide_grounds[i];
-    Ground& ground = model.ground[i];
+    SlideGround& ground = model.ground[i];
     const Row& row = model.row[model.voxel_row[given.voxel]];
     ground.slot = model.voxel_slot[given.voxel];
     ground.low_m = head.origin_m + head.edge_m * cell_of(model, ground.slot, row);
@@ -279,7 +279,7 @@ void fill_grounds(const Organ& organ, Model& model) {
     }
   }
   for (std::uint32_t i = 0; i < head.counts.grounds; ++i) {  // once all slots are known
-    Ground& ground = model.ground[i];
+    SlideGround& ground = model.ground[i];
     const Row& row = model.row[model.voxel_row[organ.slide_grounds[i].voxel]];
     for (std::uint32_t side = 0; side < 6; ++side) {
       ground.beside[side] = ground_beside(model, row, ground.slot, side / 2, side % 2 != 0);
@@ -302,15 +302,14 @@ void fill_points(const Organ& organ, Model& model) {
       point.node[corner] = node_of(row, slot, corner);
       point.weight[corner] = weights.of[corner];
     }
-    const Ground& ground = model.ground[given.ground];
+    const SlideGround& ground = model.ground[given.ground];
     point.rest_m = head.origin_m + head.edge_m * (cell_of(model, slot, row) + in_voxel);
     point.ground = given.ground;
     point.place = head.inverse_edge_per_m * (point.rest_m - ground.low_m);
     enter_voxel(model, point.ground, point.place);
     // What overlaps at rest, by rounding or as it was drawn, rests there.
     const Weights there = weights_at(point.place);
-    point.rest_outside_m =
-        min_of(outside(model.ground[point.ground], there, head.edge_m).m, 0);
+    point.rest_outside_m = min_of(outside(model.ground[point.ground], there, head.edge_m).m, 0);
     const auto shear_pa = [&](std::uint32_t of_slot) {
       return head.material[model.slot_material[of_slot]].lattice_shear_pa;
     };

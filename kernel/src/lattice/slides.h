@@ -8,8 +8,8 @@
 // on both parts are the exact slopes of that energy, so momentum, its moment and energy are kept.
 // Friction is a spring along the surface that slips at its limit.
 //
-// Promises: no allocation; a fixed number of operations for each point; the same bits for any number
-// of threads. Units SI, frame of the attachments.
+// Promises: no allocation; a fixed number of operations for each point; the same bits for any
+// number of threads. Units SI, frame of the attachments.
 #pragma once
 
 #include "state/layout.h"

@@ -141,7 +141,7 @@ struct Particle {                // a constraint particle
 // Where parts of the organ lie on each other (lattice/slides.h). A voxel of the part that is the
 // ground.
 constexpr std::uint32_t kNoGround = 0xFFFFFFFFU;
-struct Ground {
+struct SlideGround {
   std::uint32_t slot;
   std::uint32_t node[8];    // particles at its corners
   float outside_m[8];       // how far its corners at rest lie outside the ground's surface
@@ -169,8 +169,8 @@ struct SlideBooks {
 };
 // A point's contact in a substep.
 struct SlideContact {
-  float depth_m;  // 0: it touches nothing
-  Vec3 slope;     // of the depth, by the point's place now; outwards
+  float depth_m;    // 0: it touches nothing
+  Vec3 slope;       // of the depth, by the point's place now; outwards
   float weight[8];  // of its ground's particles
   Vec3 slip_m;      // along the surface, since the last substep
 };
@@ -316,12 +316,12 @@ struct ScratchHead {
   /* representative: with sheets only: the particle that each node is */                 \
   F(representative, std::uint32_t, c.sheets > 1 ? c.particles : 0)                       \
   /* quarters: with sheets only: which quarters of its cell a voxel owns (organ.fbs) */  \
-  F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0) \
-  /* slide_point: points of parts that slide on a ground (lattice/slides.h) */ \
-  F(slide_point, SlidePoint, c.slide_points) \
-  /* ground: what they slide on */ \
-  F(ground, Ground, c.grounds) \
-  /* slide_room: N/m: stiffness that contact of parts may add to a particle */ \
+  F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)                                 \
+  /* slide_point: points of parts that slide on a ground (lattice/slides.h) */           \
+  F(slide_point, SlidePoint, c.slide_points)                                             \
+  /* ground: what they slide on */                                                       \
+  F(ground, SlideGround, c.grounds)                                                      \
+  /* slide_room: N/m: stiffness that contact of parts may add to a particle */           \
   F(slide_room, float, c.slid_particles)
 
 #define STYLET_STATE_FIELDS(F)                                                            \
@@ -367,10 +367,10 @@ struct ScratchHead {
   /* membrane: what each tip has met of membranes; written by coupling/membranes */       \
   F(membrane, MembraneState, c.membrane_needles)                                          \
   /* holes: those that tips have made in membranes; likewise */                           \
-  F(holes, MembraneHoles, c.membranes) \
-  /* slide: where points of parts that slide are; written by lattice/slides */ \
-  F(slide, SlideState, c.slide_points) \
-  /* slide_books: what their friction has taken; likewise */ \
+  F(holes, MembraneHoles, c.membranes)                                                    \
+  /* slide: where points of parts that slide are; written by lattice/slides */            \
+  F(slide, SlideState, c.slide_points)                                                    \
+  /* slide_books: what their friction has taken; likewise */                              \
   F(slide_books, SlideBooks, c.slides)
 
 #define STYLET_SCRATCH_FIELDS(F)                                                      \
@@ -409,12 +409,12 @@ struct ScratchHead {
   /* rod_result: the result of it */                                                  \
   F(rod_result, RodResult, 1)                                                         \
   /* touch: touches of this tick, before they are kept */                             \
-  F(touch, Touch, kMaxTouches) \
-  /* slide_contact: contacts of points in a substep (lattice/slides.h) */ \
-  F(slide_contact, SlideContact, c.slide_points) \
-  /* slide_use: N/m: stiffness that they would add to a particle */ \
-  F(slide_use, float, c.slid_particles) \
-  /* slide_force: N: on particles, x, y and z; zero once they have moved */ \
+  F(touch, Touch, kMaxTouches)                                                        \
+  /* slide_contact: contacts of points in a substep (lattice/slides.h) */             \
+  F(slide_contact, SlideContact, c.slide_points)                                      \
+  /* slide_use: N/m: stiffness that they would add to a particle */                   \
+  F(slide_use, float, c.slid_particles)                                               \
+  /* slide_force: N: on particles, x, y and z; zero once they have moved */           \
   F(slide_force, float, 3 * c.slid_particles)
 
 // An array of a block, constant where its owner is: a `const State&` can be read, not written.
