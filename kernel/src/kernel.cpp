@@ -13,7 +13,7 @@
 #include "coupling/return_map.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
-#include "lattice/slides.h"
+#include "coupling/slides.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "laws/cone.h"

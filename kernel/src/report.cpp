@@ -8,7 +8,7 @@
 #include "coupling/match.h"
 #include "coupling/roll.h"
 #include "coupling/spring.h"
-#include "lattice/slides.h"
+#include "coupling/slides.h"
 #include "lattice/voxel.h"
 #include "laws/stiffening.h"
 #include "needle/rod.h"

@@ -43,7 +43,7 @@
 #include "coupling/surface.h"
 #include "hand/force.h"
 #include "hand/input.h"
-#include "lattice/slides.h"
+#include "coupling/slides.h"
 #include "state/attachment.h"
 #include "state/invariants.h"
 

@@ -2,7 +2,7 @@
 #pragma GCC diagnostic ignored "-Wdouble-promotion"
 // Parts that slide on each other, against the statics and dynamics of blocks: weight on a floor,
 // a slope with friction, momentum and energy of two free bodies.
-#include "lattice/slides.h"
+#include "coupling/slides.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +21,12 @@ struct Bodies {
 };
 Bodies make(const TwoParts& parts, const Config& config) {
   Bodies out = {packed(*two_parts(parts)), {}};
+  out.session = make_session(out.organ->organ, config);
+  return out;
+}
+
+Bodies make_with_surface(const TwoParts& parts, const Config& config) {
+  Bodies out = {packed(*two_parts_with_surface(parts)), {}};
   out.session = make_session(out.organ->organ, config);
   return out;
 }
@@ -149,6 +155,39 @@ TEST(Slides, Free) {
     const Energy e = energy(bodies.session.kernel);
     std::printf("t %d p %.9g %.9g %.9g l %.9g %.9g %.9g lid pz %g  e %g (el %g kin %g slide %g)\n", i, all.px, all.py, all.pz, all.lx, all.ly, all.lz, lid.pz, e.elastic + e.kinetic, e.elastic, e.kinetic, e.sliding);
     wait(bodies.session, 5);
+  }
+}
+
+TEST(Slides, NeedleCrosses) {
+  for (const float shove : {0.0F, 0.007F, 0.012F}) {
+    TwoParts parts;
+    parts.floor_x = 16; parts.floor_y = 8; parts.lid_x = 12; parts.lid_y = 8;
+    parts.plane = 5.37F; parts.height = 10; for (TinyMaterial* m : {&parts.floor, &parts.lid}) { m->puncture_force_n = 0.02F; m->cutting_force_n = 0.01F; m->coulomb_friction_n_per_m = m->static_friction_n_per_m = 2; }
+    Config config;
+    config.needle[0].length_m = 0.1F;
+    Bodies bodies = make_with_surface(parts, config);
+    View view = view_of(bodies.session.kernel);
+    const ModelHead& head = *view.model.head;
+    // Shift the lid as a rigid body along x.
+    for (std::uint32_t r = 0; r < head.counts.rows; ++r) {
+      const Row& row = view.model.row[r];
+      if (row.y < head.sheet_rows) continue;
+      for (std::uint32_t corner = 0; corner < 4; ++corner)
+        for (std::uint32_t i = 0; i <= row.count; ++i) {
+          const std::uint32_t p = row.node[corner] + i;
+          view.state.ux[p] = view.state.ex[p] = shove;
+        }
+    }
+    for (std::uint32_t i = 0; i < head.counts.slide_points; ++i) view.state.slide[i].place.x += shove / head.edge_m - std::floor(shove/head.edge_m), view.state.slide[i].ground += 0;
+    const float x = 0.0287F, y = 0.0213F, length = 0.1F;
+    for (int t = 0; t < 2200; ++t) {
+      const float tip_z = 0.055F - 0.00002F * static_cast<float>(t);
+      Input in{};
+      in.handle = {{x, y, tip_z + length}, {1, 0, 0, 0}};
+      in.valid = 1;
+      const Output out = tick(bodies.session.kernel, in);
+      if (t % 60 == 0) std::printf("shove %g t %d tip %g mm force %g %g %g depth %g layer %d flags %x cps %u lid x %g\n", shove, t, 1e3*tip_z, out.force_n.x, out.force_n.y, out.force_n.z, 1e3*out.depth_m, (int)out.layer, out.flags, out.constraint_particles, 1e3*sum_of(view,1).x/sum_of(view,1).kg);
+    }
   }
 }
 

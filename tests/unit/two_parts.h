@@ -85,4 +85,34 @@ inline std::unique_ptr<Owner> two_parts(const TwoParts& parts) {
   return owner;
 }
 
+// The same, with the lid's surface, through which a needle enters.
+inline std::unique_ptr<Owner> two_parts_with_surface(const TwoParts& parts) {
+  std::unique_ptr<Owner> owner = two_parts(parts);
+  const std::uint16_t rows = owner->sheets->rows;
+  TinyOrgan lid;
+  lid.nx = owner->size_x;
+  lid.ny = rows;
+  lid.nz = parts.height;
+  lid.voxel_edge_m = parts.voxel_edge_m;
+  const auto low = static_cast<std::uint16_t>(std::floor(parts.plane));
+  lid.inside = [=](std::uint16_t x, std::uint16_t y, std::uint16_t z) {
+    return y >= parts.at_y && y < parts.at_y + parts.lid_y && x >= parts.at_x &&
+           x < parts.at_x + parts.lid_x && z >= low;
+  };
+  const std::unique_ptr<Owner> alone(format::GetOrgan(tiny_organ(lid).data())->UnPack());
+  std::vector<std::uint32_t> number;  // in both, voxels of the lid have the same order
+  std::uint32_t voxel = 0;
+  for (const format::Run& run : owner->runs) {
+    for (std::uint32_t i = 0; i < run.count(); ++i, ++voxel) {
+      if (run.y() >= rows) number.push_back(voxel);
+    }
+  }
+  for (const format::Vertex& v : alone->vertices) {
+    owner->vertices.emplace_back(number[v.voxel()], v.fx(), v.fy(), v.fz(), 0);
+  }
+  owner->triangles = alone->triangles;
+  owner->sphere_nodes = alone->sphere_nodes;
+  return owner;
+}
+
 }  // namespace stylet::test

@@ -21,6 +21,7 @@
 #include "organ/runs.h"
 #include "state/lattice_plan.h"
 #include "state/members.h"
+#include "state/slide.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
 #include "stylet/organ.h"
@@ -136,43 +137,6 @@ struct Particle {                // a constraint particle
   std::uint32_t material;
   std::uint32_t support_count;
   Support support[kSupportsPerParticle];
-};
-
-// Where parts of the organ lie on each other (lattice/slides.h). A voxel of the part that is the
-// ground.
-constexpr std::uint32_t kNoGround = 0xFFFFFFFFU;
-struct SlideGround {
-  std::uint32_t slot;
-  std::uint32_t node[8];    // particles at its corners
-  float outside_m[8];       // how far its corners at rest lie outside the ground's surface
-  Vec3 low_m;               // low corner at rest
-  std::uint32_t beside[6];  // the ground below and above along x, y and z, or kNoGround
-};
-// A point of the other part's surface.
-struct SlidePoint {
-  Vec3 rest_m;
-  std::uint32_t node[8];  // of its own voxel
-  float weight[8];
-  float stiffness_n_per_m, friction;
-  float rest_outside_m;  // at most 0: parts may overlap at rest
-  std::uint32_t ground;  // where it is at rest, and its place there (0 to 1 along each axis)
-  Vec3 place;
-};
-struct SlideState {
-  Vec3 place;               // in its ground at rest
-  Vec3 stretch_m;           // of friction's spring, along the surface
-  float stiffness_n_per_m;  // of its contact; 0: it touches nothing
-  std::uint32_t ground;
-};
-struct SlideBooks {
-  double friction_j;
-};
-// A point's contact in a substep.
-struct SlideContact {
-  float depth_m;    // 0: it touches nothing
-  Vec3 slope;       // of the depth, by the point's place now; outwards
-  float weight[8];  // of its ground's particles
-  Vec3 slip_m;      // along the surface, since the last substep
 };
 
 constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
@@ -317,7 +281,7 @@ struct ScratchHead {
   F(representative, std::uint32_t, c.sheets > 1 ? c.particles : 0)                       \
   /* quarters: with sheets only: which quarters of its cell a voxel owns (organ.fbs) */  \
   F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)                                 \
-  /* slide_point: points of parts that slide on a ground (lattice/slides.h) */           \
+  /* slide_point: points of parts that slide on a ground (coupling/slides.h) */           \
   F(slide_point, SlidePoint, c.slide_points)                                             \
   /* ground: what they slide on */                                                       \
   F(ground, SlideGround, c.grounds)                                                      \
@@ -368,7 +332,7 @@ struct ScratchHead {
   F(membrane, MembraneState, c.membrane_needles)                                          \
   /* holes: those that tips have made in membranes; likewise */                           \
   F(holes, MembraneHoles, c.membranes)                                                    \
-  /* slide: where points of parts that slide are; written by lattice/slides */            \
+  /* slide: where points of parts that slide are; written by coupling/slides */            \
   F(slide, SlideState, c.slide_points)                                                    \
   /* slide_books: what their friction has taken; likewise */                              \
   F(slide_books, SlideBooks, c.slides)
@@ -410,7 +374,7 @@ struct ScratchHead {
   F(rod_result, RodResult, 1)                                                         \
   /* touch: touches of this tick, before they are kept */                             \
   F(touch, Touch, kMaxTouches)                                                        \
-  /* slide_contact: contacts of points in a substep (lattice/slides.h) */             \
+  /* slide_contact: contacts of points in a substep (coupling/slides.h) */             \
   F(slide_contact, SlideContact, c.slide_points)                                      \
   /* slide_use: N/m: stiffness that they would add to a particle */                   \
   F(slide_use, float, c.slid_particles)                                               \

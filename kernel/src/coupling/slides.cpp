@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lattice/slides.h"
+#include "coupling/slides.h"
+
+#include <algorithm>
 
 #include "base/math.h"
 #include "lattice/voxel.h"
@@ -147,6 +149,7 @@ SlideContact meet(const Model& model, const SlidePoint& point, const Places& pla
   const Vec3 step = (1 / edge_m) * (back * slip_m);
   own.place = own.place + Vec3{clamp(step.x, -1, 1), clamp(step.y, -1, 1), clamp(step.z, -1, 1)};
   enter_voxel(model, own.ground, own.place);
+  own.place = settle(own.place);
   const SlideGround& ground = model.ground[own.ground];
   const Seen now = see(ground, own.place, edge_m, places);
   if (is_beside(own.place) || !invert(now.gradient, back)) return out;
@@ -237,16 +240,12 @@ std::uint32_t node_of(const Row& row, std::uint32_t slot, std::uint32_t corner) 
 
 // The ground in this slot, if it is one. Slots rise with voxels.
 std::uint32_t ground_in(const Model& model, std::uint32_t slot) {
-  std::uint32_t low = 0, high = model.head->counts.grounds;
-  while (low < high) {
-    const std::uint32_t middle = low + (high - low) / 2;
-    if (model.ground[middle].slot < slot) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low < model.head->counts.grounds && model.ground[low].slot == slot ? low : kNoGround;
+  const SlideGround* const end = model.ground + model.head->counts.grounds;
+  const SlideGround* const found = std::lower_bound(
+      static_cast<const SlideGround*>(model.ground), end, slot,
+      [](const SlideGround& ground, std::uint32_t at) { return ground.slot < at; });
+  const bool is_one = found != end && found->slot == slot;
+  return is_one ? static_cast<std::uint32_t>(found - model.ground) : kNoGround;
 }
 
 // The ground in the next voxel along an axis, up or down, in the same sheet.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parts of the organ that lie on each other without being joined: they press, slide with friction
 // and separate. Points of one part's surface meet the other part, their ground, which knows how
-// deep each place of it lies below its own surface. PHYSICS 10a.
+// deep each place of it lies below its own surface. PHYSICS 2.8.
 //
 // A point that has come below the ground's surface by a depth has the energy k depth^2 / 2, where
 // the depth is taken in the ground at rest: of the material that lies at the point now. The forces
