@@ -10,10 +10,11 @@ namespace stylet {
 namespace {
 
 // Stiffness of a point over that of the softer part's voxel: so pressed parts come nearer to each
-// other by a tenth of what a voxel of them is compressed.
-constexpr float kContactStiffness = 10.0F;
-// What contact may add to the bound on a particle's stiffness, in parts of what its voxels have.
-// More would cost passes of the filter everywhere. Where voxels are slivers, and where a fold
+// other by a quarter of what a voxel of them is compressed. The room that the step leaves for it
+// is inertia that surfaces have at every moment (add_slide_room): ten times would be thrice that.
+constexpr float kContactStiffness = 4.0F;
+// What contact may add to the bound on a particle's stiffness at most, in parts of what its voxels
+// have. More would cost passes of the filter everywhere. Where voxels are slivers, and where a fold
 // brings many points to one voxel, contact is softer instead.
 constexpr float kRoom = 0.5F;
 // A ground that is compressed to less than half makes depths steeper. Beyond, the slope is held.
@@ -234,6 +235,17 @@ void add_force(const Model& model, const SlidePoint& point, const SlideState& ow
   }
 }
 
+Vec3 within(Vec3 place) {
+  return {clamp(place.x, 0, 1), clamp(place.y, 0, 1), clamp(place.z, 0, 1)};
+}
+
+template <typename Visit>
+void for_each_ground_node(const Model& model, Visit visit) {
+  for (std::uint32_t i = 0; i < model.head->counts.grounds; ++i) {
+    for (const std::uint32_t node : model.ground[i].node) visit(node);
+  }
+}
+
 std::uint32_t node_of(const Row& row, std::uint32_t slot, std::uint32_t corner) {
   return row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U);
 }
@@ -334,26 +346,30 @@ void fill_slides(const Organ& organ, Model& model) {
   fill_points(organ, model);
 }
 
+// What contact needs where the parts lie on each other as they do at rest. The room is there from
+// the start, touching or not: a particle whose inertia fell when it let go would be thrown.
 void add_slide_room(Model& model, float* bound_io) {
   const Counts& counts = model.head->counts;
-  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) model.slide_room[i] = 0;
-  const auto give = [&](std::uint32_t node) { model.slide_room[node] = kRoom * bound_io[node]; };
+  if (!has_slides(model)) return;
+  float* const room = model.slide_room;
+  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) room[i] = 0;
   for (std::uint32_t i = 0; i < counts.slide_points; ++i) {
-    for (const std::uint32_t node : model.slide_point[i].node) give(node);
+    const SlidePoint& point = model.slide_point[i];
+    const SlideGround& ground = model.ground[point.ground];
+    const Weights there = weights_at(within(point.place));
+    for (std::uint32_t n = 0; n < 8; ++n) {
+      room[point.node[n]] += bound_of(point.stiffness_n_per_m, point.weight[n], 1);
+      room[ground.node[n]] += bound_of(point.stiffness_n_per_m, there.of[n], 1);
+    }
   }
-  for (std::uint32_t i = 0; i < counts.grounds; ++i) {
-    for (const std::uint32_t node : model.ground[i].node) give(node);
+  sum_tied(model, room);
+  float most = 0;  // points may come to any of the ground's particles
+  for_each_ground_node(model, [&](std::uint32_t node) { most = max_of(most, room[node]); });
+  for_each_ground_node(model, [&](std::uint32_t node) { room[node] = most; });
+  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) {
+    room[i] = min_of(room[i], kRoom * bound_io[i]);
+    bound_io[i] += room[i];
   }
-  if (counts.slid_particles == 0) return;
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // one particle, one room
-    const TiedNode& tie = model.tie[i];
-    const float room = max_of(model.slide_room[tie.node], model.slide_room[tie.representative]);
-    model.slide_room[tie.representative] = room;
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    model.slide_room[model.tie[i].node] = model.slide_room[model.tie[i].representative];
-  }
-  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) bound_io[i] += model.slide_room[i];
 }
 
 void reset_slides(const Model& model, State& state) {
@@ -380,12 +396,7 @@ void press_slides(const Model& model, State& state, Scratch& scratch) {
       part(state.slide[i], *state.slide_books);
     }
   }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // one particle
-    use[model.tie[i].representative] += use[model.tie[i].node];
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    use[model.tie[i].node] = use[model.tie[i].representative];
-  }
+  sum_tied(model, use);
   for (std::uint32_t i = 0; i < counts.slide_points; ++i) {
     const SlideContact& c = scratch.slide_contact[i];
     if (!(c.depth_m > 0)) continue;
