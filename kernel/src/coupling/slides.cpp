@@ -53,18 +53,17 @@ Places damped(const State& state) {
 
 // A place of a ground now.
 struct Seen {
-  Weights weights;
   Vec3 at_m;
   Mat3 gradient;  // of the place now, by the place at rest
 };
 Seen see(const SlideGround& ground, Vec3 place, float edge_m, const Places& places) {
   Seen out;
-  out.weights = weights_at(place);
+  const Weights weights = weights_at(place);
   Vec3 moved = {};
   Mat3 d = {};
   for (std::uint32_t i = 0; i < 8; ++i) {
-    const Vec3 u = places.of(ground.node[i]), s = out.weights.slope[i];
-    moved = moved + out.weights.of[i] * u;
+    const Vec3 u = places.of(ground.node[i]), s = weights.slope[i];
+    moved = moved + weights.of[i] * u;
     const float of_u[3] = {u.x, u.y, u.z}, along[3] = {s.x, s.y, s.z};
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) d.m[a][b] += of_u[a] * along[b];
@@ -137,30 +136,29 @@ Outside outside(const SlideGround& ground, const Weights& weights, float edge_m)
   return out;
 }
 
-// Follows a point through the ground: one Newton step from where it was a substep ago.
+// Follows a point through the ground: one Newton step from where it was a substep ago. The slope is
+// turned with the gradient there: a gradient at the new place would cost a third more.
 SlideContact meet(const Model& model, const SlidePoint& point, const Places& places,
                   SlideState& own) {
   const float edge_m = model.head->edge_m;
-  const Vec3 at_m = place_of(point, places);
   SlideContact out = {};
   Mat3 back = {};  // from now to rest
   const Seen before = see(model.ground[own.ground], own.place, edge_m, places);
-  const Vec3 slip_m = at_m - before.at_m;
+  const Vec3 slip_m = place_of(point, places) - before.at_m;
   if (!invert(before.gradient, back)) return out;
   const Vec3 step = (1 / edge_m) * (back * slip_m);
   own.place = own.place + Vec3{clamp(step.x, -1, 1), clamp(step.y, -1, 1), clamp(step.z, -1, 1)};
   enter_voxel(model, own.ground, own.place);
   own.place = settle(own.place);
-  const SlideGround& ground = model.ground[own.ground];
-  const Seen now = see(ground, own.place, edge_m, places);
-  if (is_beside(own.place) || !invert(now.gradient, back)) return out;
-  const Outside off = outside(ground, now.weights, edge_m);
+  if (is_beside(own.place)) return out;
+  const Weights weights = weights_at(own.place);
+  const Outside off = outside(model.ground[own.ground], weights, edge_m);
   out.slope = transposed_times(back, off.slope);
   const float steep = norm(out.slope);
   if (!(steep > 0)) return out;
   if (steep > kSteepest) out.slope = (kSteepest / steep) * out.slope;
   out.depth_m = max_of(point.rest_outside_m - off.m, 0);
-  for (std::uint32_t i = 0; i < 8; ++i) out.weight[i] = now.weights.of[i];
+  for (std::uint32_t i = 0; i < 8; ++i) out.weight[i] = weights.of[i];
   const Vec3 normal = (1 / norm(out.slope)) * out.slope;
   out.slip_m = slip_m - dot(normal, slip_m) * normal;
   return out;
