@@ -189,32 +189,33 @@ void each_bound(const Model& model, const SlidePoint& point, const SlideState& o
   }
 }
 
+double stored_j(float stiffness_n_per_m, Vec3 stretch_m) {
+  return 0.5 * static_cast<double>(stiffness_n_per_m) *
+         static_cast<double>(dot(stretch_m, stretch_m));
+}
+
 // The force on the point; slips what is beyond the limit of friction.
 Vec3 press(const SlidePoint& point, const SlideContact& c, float share, SlideState& own,
            SlideBooks& books) {
   const float k = share * point.stiffness_n_per_m;
   const Vec3 pushed_n = (k * c.depth_m) * c.slope;
-  const float size = norm(c.slope), limit_n = point.friction * norm(pushed_n);
-  const Vec3 normal = (1 / size) * c.slope;
+  const Vec3 normal = (1 / norm(c.slope)) * c.slope;
+  const float limit_n = point.friction * norm(pushed_n);
   // The spring along the surface goes with the ground's material.
   const Vec3 carried = own.stretch_m - dot(normal, own.stretch_m) * normal;
-  Vec3 stretch_m = carried + c.slip_m;
-  const float pull_n = k * norm(stretch_m);
-  if (pull_n > limit_n) {
-    const float kept = limit_n / pull_n;
-    books.friction_j += 0.5 * static_cast<double>(k * (1 - kept * kept)) *
-                        static_cast<double>(dot(stretch_m, stretch_m));
-    stretch_m = kept * stretch_m;
-  }
-  own.stretch_m = settle(stretch_m);
+  const Vec3 stretched = carried + c.slip_m;
+  const float pull_n = k * norm(stretched);
+  const Vec3 kept = pull_n > limit_n ? (limit_n / pull_n) * stretched : stretched;
+  books.friction_j += stored_j(own.stiffness_n_per_m, own.stretch_m) - stored_j(k, carried);
+  books.friction_j += stored_j(k, stretched) - stored_j(k, kept);
+  own.stretch_m = settle(kept);
   own.stiffness_n_per_m = k;
   return pushed_n - k * own.stretch_m;
 }
 
 // Nothing holds the point any more.
 void part(SlideState& own, SlideBooks& books) {
-  books.friction_j += 0.5 * static_cast<double>(own.stiffness_n_per_m) *
-                      static_cast<double>(dot(own.stretch_m, own.stretch_m));
+  books.friction_j += stored_j(own.stiffness_n_per_m, own.stretch_m);
   own.stretch_m = {};
   own.stiffness_n_per_m = 0;
 }
@@ -417,9 +418,8 @@ double slides_energy(const Model& model, const State& state) {
   for (std::uint32_t i = 0; i < model.head->counts.slide_points; ++i) {
     SlideState own = state.slide[i];
     const SlideContact c = meet(model, model.slide_point[i], places, own);
-    const double k = static_cast<double>(own.stiffness_n_per_m);
-    sum += 0.5 * k * static_cast<double>(c.depth_m) * static_cast<double>(c.depth_m);
-    sum += 0.5 * k * static_cast<double>(dot(own.stretch_m, own.stretch_m));
+    sum += stored_j(own.stiffness_n_per_m, {c.depth_m, 0, 0}) +
+           stored_j(own.stiffness_n_per_m, own.stretch_m);
   }
   return sum;
 }
