@@ -147,33 +147,37 @@ inline void add_points(const TwoParts& p, TinyOrgan& tiny) {
 
 }  // namespace detail
 
-// Its surface is the lid's, through which a needle enters.
-inline std::unique_ptr<OpenOrgan> two_parts(const TwoParts& p) {
-  TinyOrgan tiny;
+// Gives an organ both blocks. Its surface is the lid's, through which a needle enters.
+inline void make_two_parts(const TwoParts& p, TinyOrgan& tiny_io) {
+  TinyOrgan& tiny = tiny_io;
   tiny.nx = std::max(p.floor_x, static_cast<std::uint16_t>(p.at_x + p.lid_x));
   tiny.sheet_rows = rows_of(p);
   tiny.ny = static_cast<std::uint16_t>(2 * tiny.sheet_rows);
   tiny.nz = p.height;
   tiny.voxel_edge_m = p.voxel_edge_m;
-  tiny.materials = {p.floor, p.lid};
-  tiny.fixed_faces = p.held ? kLowZ : 0U;
   const int rows = tiny.sheet_rows;
-  const auto is_lid = [=](int row) { return row >= rows; };
-  tiny.material_at = [=](int, int y, int) { return std::uint8_t{is_lid(y)}; };
-  tiny.has_surface = [=](int, int y, int) { return is_lid(y); };
+  tiny.has_surface = [=](int, int y, int) { return y >= rows; };
   tiny.inside = [=](int x, int y, int z) { return detail::is_inside(p, x, y, z); };
   tiny.fill_at = [=](int x, int y, int z) {
     return static_cast<std::uint8_t>(
-        std::lround(255 * detail::part_above(p, x, y % rows, z, is_lid(y))));
+        std::lround(255 * detail::part_above(p, x, y % rows, z, y >= rows)));
   };
   detail::add_quarters(p, tiny);
   detail::add_grounds(p, tiny);
   detail::add_points(p, tiny);
+}
+
+inline std::unique_ptr<OpenOrgan> two_parts(const TwoParts& p) {
+  TinyOrgan tiny;
+  tiny.materials = {p.floor, p.lid};
+  tiny.material_at = [rows = int{rows_of(p)}](int, int y, int) { return std::uint8_t{y >= rows}; };
+  tiny.fixed_faces = p.held ? kLowZ : 0U;
+  make_two_parts(p, tiny);
   return open_organ(tiny_organ(tiny));
 }
 
-// The setup "sliding": the needle of block_script goes through a lid into the floor; the lid lies on
-// a slope and is dragged along.
+// The setup "sliding": the needle of block_script goes through a lid into the floor; the lid lies
+// on a slope and is dragged along.
 inline std::unique_ptr<OpenOrgan> sliding_organ() {
   TwoParts parts;
   parts.floor_x = 6;
