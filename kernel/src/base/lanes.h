@@ -22,6 +22,8 @@ namespace {
 #else
 #define STYLET_VECTOR _Pragma("GCC ivdep")
 #endif
+// For short loops of a sweep that is compiled without unrolling, to be small (in a page), where the
+// time goes: arrays of a few groups of lanes stay in registers. GCC unrolls them anyway.
 #if defined(__clang__)
 #define STYLET_UNROLL _Pragma("clang loop unroll(full)")
 #else

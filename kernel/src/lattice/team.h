@@ -84,7 +84,7 @@ inline bool take_plane(const Part& part) {
   return slab.taken.fetch_add(1, std::memory_order_relaxed) < planes;
 }
 
-// Null if nobody helps. A library that is built to have one thread (STYLET_ALONE) has no team, and
+// Null if nobody helps. A library that is built for one thread (STYLET_ALONE) never has a team, and
 // sweeps all planes up: the compiler then leaves out what is for a team.
 #if defined(STYLET_ALONE)
 inline Team* team_of(const Kernel&) {
