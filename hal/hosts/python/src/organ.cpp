@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hal/hosts/python/src/organ.h"
+#include "organ.h"
 
 #include <pybind11/stl.h>
 
 #include <vector>
 
-#include "hal/hosts/python/src/poses.h"
+#include "poses.h"
 
 namespace stylet::python {
 namespace {

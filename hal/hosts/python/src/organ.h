@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "hal/hosts/python/src/types.h"
+#include "types.h"
 
 namespace stylet::python {
 

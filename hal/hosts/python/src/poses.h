@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "hal/hosts/python/src/types.h"
+#include "types.h"
 
 namespace stylet::python {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hal/hosts/python/src/simulation.h"
+#include "simulation.h"
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
 
-#include "hal/hosts/python/src/poses.h"
+#include "poses.h"
 
 namespace stylet::python {
 namespace {

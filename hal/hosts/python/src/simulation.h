@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/hosts/python/src/organ.h"
+#include "organ.h"
 
 namespace stylet::python {
 

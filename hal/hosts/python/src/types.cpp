@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hal/hosts/python/src/types.h"
+#include "types.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is seen of a simulation between two ticks, and how it is.
-#include "hal/hosts/python/src/simulation.h"
+#include "simulation.h"
 
 namespace stylet::python {
 namespace {
