@@ -6,19 +6,21 @@ They are places in the organ at rest: they do not move with the tissue.
 import dataclasses
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from stylet.given import Path
 from stylet.scene import read
 
 
 @dataclasses.dataclass(frozen=True)
 class Target:
     name: str
-    at_m: tuple
+    at_m: tuple[float, ...]
     radius_m: float
     forbidden: bool = False
 
 
-def read_targets(path):
+def read_targets(path: Path) -> list[Target]:
     """Those of a scene's file, in its order. Keys: hal/scene/README.md."""
     rows = read(path).get("targets", [])
     targets = [Target(row["name"], tuple(1e-3 * float(x) for x in row["at_mm"]),
@@ -29,7 +31,7 @@ def read_targets(path):
     return targets
 
 
-def distance_to_segment_m(at_m, from_m, to_m):
+def distance_to_segment_m(at_m: ArrayLike, from_m: ArrayLike, to_m: ArrayLike) -> float:
     """How far a place is from a straight piece, such as the shaft."""
     at, start, way = (np.asarray(at_m, float), np.asarray(from_m, float),
                       np.subtract(to_m, from_m, dtype=float))
