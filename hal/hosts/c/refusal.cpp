@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hal/hosts/c/refusal.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,12 @@ Spoken spoken(const char* field) {
   return {field, field, ""};
 }
 
+// Whether there may be several, so that the text says which: those of a simulation or a loop.
+bool is_of_several(std::string_view field) {
+  constexpr std::array<std::string_view, 4> kSeveral{"needle.", "obstacle.", "guard.", "hand."};
+  return std::ranges::any_of(kSeveral, [&](auto each) { return field.starts_with(each); });
+}
+
 stylet_status tell(stylet_refusal* refusal_out, const stylet_refusal& why) {
   if (refusal_out != nullptr) (void)give(why, refusal_out);
   return why.status;
@@ -100,6 +107,69 @@ stylet_status refuse_text(stylet_refusal* refusal_out, stylet_status status, con
   return tell(refusal_out, why);
 }
 
+stylet_status refuse_missing(stylet_refusal* refusal_out, const char* place, std::uint64_t index) {
+  stylet_refusal why = {};
+  why.status = STYLET_ARGUMENT_MISSING;
+  copy_text(place, why.place);
+  why.index = index;
+  copy_text("a pointer", why.expected);
+  Line text(why.text);
+  text << place;
+  if (index != 0) text << " [" << index << "]";
+  text << ": null: expected " << why.expected;
+  return tell(refusal_out, why);
+}
+
+stylet_status refuse_value(stylet_refusal* refusal_out, stylet_status status, const char* place,
+                           double value, const char* expected) {
+  stylet_refusal why = {};
+  why.status = status;
+  copy_text(place, why.place);
+  why.value = value;
+  copy_text(expected, why.expected);
+  Line(why.text) << place << ": " << value << ": expected " << expected;
+  return tell(refusal_out, why);
+}
+
+stylet_status refuse_memory(stylet_refusal* refusal_out, std::uint64_t bytes,
+                            std::uint64_t needed_bytes) {
+  stylet_refusal why = {};
+  why.status = STYLET_MEMORY_TOO_SMALL;
+  copy_text("bytes", why.place);
+  why.value = static_cast<double>(bytes);
+  why.least = why.most = static_cast<double>(needed_bytes);
+  copy_text("what stylet_simulation_bytes says, or more", why.expected);
+  Line(why.text) << "bytes: " << bytes << ": expected " << needed_bytes << " or more";
+  return tell(refusal_out, why);
+}
+
+stylet_status refuse_unready(stylet_refusal* refusal_out, stylet_status status) {
+  if (status == STYLET_ARGUMENT_MISSING) return refuse_missing(refusal_out, "simulation");
+  stylet_refusal why = {};
+  why.status = status;
+  copy_text("simulation", why.place);
+  copy_text("one that no loop has", why.expected);
+  Line(why.text) << "simulation: " << stylet_status_name(status) << ": expected " << why.expected;
+  return tell(refusal_out, why);
+}
+
+stylet_status refuse_size(stylet_refusal* refusal_out, const char* place, std::uint32_t bytes,
+                          std::uint32_t known_bytes, std::uint64_t index) {
+  stylet_refusal why = {};
+  why.status = STYLET_STRUCT_SIZE_UNKNOWN;
+  Line(why.place) << place << ".struct_bytes";
+  why.index = index;
+  why.value = bytes;
+  Line expected(why.expected);
+  expected << "sizeof the struct, here " << std::uint64_t{known_bytes};
+  if (bytes > known_bytes) expected << "; behind that zeros";
+  Line text(why.text);
+  text << why.place;
+  if (index != 0) text << " [" << index << "]";
+  text << ": " << std::uint64_t{bytes} << ": expected " << why.expected;
+  return tell(refusal_out, why);
+}
+
 stylet_status refuse_organ(stylet_refusal* refusal_out, const OrganRefusal& of) {
   stylet_refusal why = {};
   why.status = static_cast<stylet_status>(of.status);
@@ -123,7 +193,9 @@ stylet_status refuse_config(stylet_refusal* refusal_out, Status status, const Co
   why.least = of.least;
   why.most = of.most;
   Line text(why.text);
-  text << field.name << " [" << std::uint64_t{of.index} << "]: ";
+  text << field.name;
+  if (is_of_several(field.name)) text << " [" << std::uint64_t{of.index} << "]";
+  text << ": ";
   if (field.name == kVertices) text << "vertex " << std::uint64_t{of.vertex} << ": ";
   text << field.number << static_cast<double>(of.value) << ": expected "
        << static_cast<double>(of.least) << " to " << static_cast<double>(of.most);
