@@ -80,6 +80,12 @@ class Guard(_stylet.Guard):
         super().__init__(*rows_of(GuardConfig() if config is None else config, GuardConfig))
 
 
+    def __repr__(self) -> str:
+        now = self.report()
+        return (f"<stylet.Guard: {GuardMode(now.mode).name}, fault {Fault(now.fault).name}, "
+                f"samples {now.samples_used}>")
+
+
 class LoopConfig(Struct):
     """How the loop runs; `ticks` 0 is until it is stopped."""
     _defaults = _stylet.default_loop_config
@@ -125,6 +131,13 @@ class Loop(_stylet.Loop):
         devices = [devices] if isinstance(devices, Device) else list(devices)
         super().__init__(simulation, devices, rows_of(hands, Hand), rows_of(guards, GuardConfig),
                          *rows_of(LoopConfig() if config is None else config, LoopConfig))
+
+    def __repr__(self) -> str:
+        try:
+            now = self.report()
+        except RuntimeError:
+            return "<stylet.Loop: closed>"
+        return f"<stylet.Loop: {'runs' if now.runs else 'does not run'}, tick {now.ticks}>"
 
     def __enter__(self) -> Loop:
         return self

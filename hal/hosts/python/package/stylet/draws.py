@@ -15,7 +15,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stylet.given import Array
+from stylet.given import Array, count as count_of
 
 STANDARD_NORMAL = statistics.NormalDist()
 MOST_TURNS = 9.0  # standard deviations beyond which no draw of 53 bits is
@@ -145,11 +145,11 @@ def draw(distributions: Mapping[str, Distribution], count: int, seed: int,
     A Latin hypercube: each distribution is divided into `count` parts of equal probability, and
     each has one draw, so that means are surer than those of `plain` draws, each by itself. A name's
     draws do not depend on what else is drawn."""
-    columns = {}
+    number, columns = count_of("count", count), {}
     for name, distribution in distributions.items():
         random = np.random.default_rng([seed, *name.encode()])
-        shares = random.random(count)
+        shares = random.random(number)
         if not plain:
-            shares = (random.permutation(count) + shares) / count
+            shares = (random.permutation(number) + shares) / number
         columns[name] = distribution.at(shares)
     return columns

@@ -91,8 +91,8 @@ class NeedleEnv(Env):
         stylet-organ writes for a patient's label map. Needle, configuration and hand are not the
         scene's; `options` are those of NeedleEnv, and win."""
         path = scene_file(path)
-        given: dict[str, Any] = {"organ": scene_organ, "targets": read_targets, "obstacles": read_obstacles,
-                 "direction": scene_direction}
+        given: dict[str, Any] = {"organ": scene_organ, "targets": read_targets,
+                                 "obstacles": read_obstacles, "direction": scene_direction}
         return cls(**{**{name: of(path) for name, of in given.items() if name not in options},
                       **options})
 
@@ -119,11 +119,15 @@ class NeedleEnv(Env):
         """The organ, the needle and the targets from the side, as an array (height, width, 3)."""
         return picture(self.simulation, self.targets, self.direction)
 
+    def __repr__(self) -> str:
+        return (f"<stylet.{type(self).__name__} in {self.organ!r}, targets "
+                f"{', '.join(target.name for target in self.targets)}>")
+
     # ---- halves of a step, between which the vector form runs all simulations at once
 
     def _poses(self, action: Array) -> Array:
         if self._pose is None:
-            raise RuntimeError("reset before the first step")
+            raise RuntimeError("step: no episode has begun: expected a call of reset before")
         self._clipped = bool((np.abs(action) > 1).any())
         action = np.clip(action, -1, 1)
         poses = moved(self._pose, self.speed_m_per_s * action[:3],
@@ -202,9 +206,11 @@ class VectorNeedleEnv(VectorEnv):
     def __init__(self, environments: Iterable[NeedleEnv], threads: int = 0) -> None:
         self.envs = list(environments)
         self.num_envs = len(self.envs)
-        if len({env.ticks_of_step for env in self.envs}) != 1:
-            raise ValueError("environments of one vector have the same ticks_of_step, and one is"
-                             " needed at least")
+        if not self.envs:
+            raise ValueError("environments: none: expected one at least")
+        lengths = [env.ticks_of_step for env in self.envs]
+        if len(set(lengths)) > 1:
+            raise ValueError(f"environments: ticks_of_step {lengths}: expected the same of all")
         self._batch = VectorSimulation([env.simulation for env in self.envs], threads)
         self.metadata = {**NeedleEnv.metadata, "autoreset_mode": NEXT_STEP}
         self.render_mode = self.envs[0].render_mode
@@ -246,6 +252,9 @@ class VectorNeedleEnv(VectorEnv):
         terminated, truncated = np.array(terminated), np.array(truncated)
         self._ended = terminated | truncated
         return np.stack(observations), np.array(rewards), terminated, truncated, columns(infos)
+
+    def __repr__(self) -> str:
+        return f"<stylet.{type(self).__name__} of {self.num_envs}: {self.envs[0]!r}>"
 
     def render(self) -> tuple[Array, ...]:
         return tuple(env.render() for env in self.envs)

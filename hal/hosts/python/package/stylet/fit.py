@@ -54,9 +54,10 @@ class Fit:
     low: dict[str, float]
     high: dict[str, float]
     confidence: float
-    covariance: Array  # of the logarithms, in the order of `values`
-    sigma: float       # of the curve's points: as given, or as the residuals say
-    residuals: Array   # measured less simulated
+    # Of the logarithms, in the order of `values`.
+    covariance: Array = dataclasses.field(repr=False)
+    sigma: float  # of the curve's points: as given, or as the residuals say
+    residuals: Array = dataclasses.field(repr=False)  # measured less simulated
     converged: bool
     search: Search = dataclasses.field(repr=False)
     allowed: float = dataclasses.field(repr=False)  # standard errors to either side
@@ -341,7 +342,8 @@ def quantile(confidence: float, freedom: float) -> float:
         low, high = 0.0, math.pi / 2
         for _ in range(60):  # to the last bit of an angle
             angle = (low + high) / 2
-            low, high = (angle, high) if share_within(angle, int(freedom)) < confidence else (low, angle)
+            below = share_within(angle, int(freedom)) < confidence
+            low, high = (angle, high) if below else (low, angle)
         return math.tan(low) * math.sqrt(freedom)
     z = statistics.NormalDist().inv_cdf((1 + confidence) / 2)
     terms = ((z ** 3 + z) / 4, (5 * z ** 5 + 16 * z ** 3 + 3 * z) / 96,

@@ -34,6 +34,9 @@ def insertion_poses(organ: Organ, needle: Needle, through_m: ArrayLike, directio
     for name, value in (("depth_m", depth_m), ("speed_m_per_s", speed_m_per_s),
                         ("period_s", period_s)):
         positive(name, value)
+    for name, value in (("hold_s", hold_s), ("before_m", before_m)):
+        if finite(name, value, ()) < 0:
+            raise ValueError(f"{name} = {value}: expected 0 or more")
     step_m = speed_m_per_s * period_s
     ticks = int(np.ceil((before_m + depth_m) / step_m))
     along_m = np.minimum(np.arange(ticks + 1) * step_m - before_m, depth_m)

@@ -67,6 +67,10 @@ class Recording:
             self.marks = [(int(tick), words) for tick, words in
                           (line.split("\t", 1) for line in lines)]
 
+    def __repr__(self) -> str:
+        return (f"<stylet.Recording {self.path!r}: {self.ticks} ticks of {1e3 * self.period_s:g} ms"
+                f" in {self.organ_name!r}, needles {len(self.needles)}>")
+
     def _file(self) -> Any:
         try:
             return h5py.File(self.path, "r")
@@ -110,6 +114,11 @@ class Recording:
         place = name if needle == 0 else f"needle{needle}/{name}"
         if place not in self._columns:
             with self._file() as file:
+                group = place.rpartition("/")[0]
+                if place not in file or place == group:
+                    known = sorted(file[group]) if group in file else TICK_GROUPS
+                    raise KeyError(f"{self.path}: {place}: no such column: expected one of "
+                                   f"{', '.join(known)}")
                 self._columns[place] = file[place][:self.ticks]
         return self._columns[place]
 

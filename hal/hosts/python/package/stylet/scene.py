@@ -59,8 +59,8 @@ def scene_organ(path: Path) -> Organ:
 def made_organ(path: Path, organ: pathlib.Path) -> pathlib.Path:
     """The file of the organ that the program makes or has made."""
     if place.program() is None:
-        raise FileNotFoundError(f"{organ}: no such file: `stylet run {path}` makes it once (Debian: "
-                                "package stylet)")
+        raise FileNotFoundError(f"{organ}: no such file: `stylet run {path}` makes it once "
+                                "(Debian: package stylet)")
     try:
         return pathlib.Path(asked("--organ", path).rstrip("\n"))
     except subprocess.CalledProcessError as error:

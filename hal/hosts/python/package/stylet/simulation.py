@@ -44,6 +44,9 @@ class Simulation(_stylet.Simulation):
                          rows_of(obstacles, Obstacle))
         self.organ = organ
 
+    def __repr__(self) -> str:
+        return f"<stylet.{type(self).__name__} in {self.organ!r}: needles {self.needles}>"
+
     def clone(self: Own) -> Own:
         """A second simulation in the same state, which shares the organ."""
         other = type(self).__new__(type(self))
@@ -74,6 +77,9 @@ class VectorSimulation:
     def __init__(self, simulations: Iterable[Simulation], threads: int = 0) -> None:
         self.simulations, self._threads = tuple(simulations), threads
         self._batch = _stylet.Batch(self.simulations, threads)
+
+    def __repr__(self) -> str:
+        return f"<stylet.VectorSimulation of {len(self)}, threads {self._threads}>"
 
     def __len__(self) -> int:
         return len(self.simulations)

@@ -19,7 +19,7 @@ class Box(BoxBase):
         shape = np.broadcast(low, high).shape if shape is None else tuple(shape)
         low, high = (np.broadcast_to(np.asarray(bound, dtype), shape) for bound in (low, high))
         if not (low <= high).all():
-            raise ValueError("low is above high")
+            raise ValueError(f"low = {low}, high = {high}: expected low up to high")
         super().__init__(low, high, shape, dtype, seed)
 
     def sample(self, mask: None = None, probability: None = None, *,

@@ -255,12 +255,16 @@ def columns_of(parameters: Mapping[str, Any] | Iterable[Mapping[str, Any]]) -> d
     if not isinstance(parameters, Mapping):
         rows = list(parameters)
         names = list(rows[0]) if rows else []
-        if any(row.keys() != rows[0].keys() for row in rows):
-            raise ValueError("parameters: every row needs the same names")
+        for i, row in enumerate(rows):
+            if row.keys() != rows[0].keys():
+                raise ValueError(f"parameters[{i}]: {', '.join(row)}: expected the names of the "
+                                 f"first row: {', '.join(names)}")
         parameters = {name: [row[name] for row in rows] for name in names}
     columns = {name: np.asarray(values) for name, values in parameters.items()}
     if len({len(column) for column in columns.values()}) > 1:
-        raise ValueError("parameters: columns of different lengths")
+        raise ValueError("parameters: " + ", ".join(
+            f"{name} has {len(column)}" for name, column in columns.items())
+            + ": expected columns of one length")
     return columns
 
 

@@ -8,7 +8,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import ArrayLike
 
-from stylet.given import Path
+from stylet.given import Path, finite, positive
 from stylet.scene import read
 
 
@@ -23,12 +23,17 @@ class Target:
 def read_targets(path: Path) -> list[Target]:
     """Those of a scene's file, in its order. Keys: hal/scene/README.md."""
     rows = read(path).get("targets", [])
-    targets = [Target(row["name"], tuple(1e-3 * float(x) for x in row["at_mm"]),
-                      1e-3 * float(row["radius_mm"]), bool(row.get("forbidden", False)))
-               for row in rows]
-    if not targets:
-        raise ValueError(f"{path}: no [[targets]]")
-    return targets
+    if not rows:
+        raise ValueError(f"{path}: no [[targets]]: expected one at least")
+    for i, row in enumerate(rows):
+        for key in ("name", "at_mm", "radius_mm"):
+            if key not in row:
+                raise ValueError(f"{path}: targets[{i}].{key}: missing: expected it in each")
+        finite(f"{path}: targets[{i}].at_mm", row["at_mm"], (3,))
+        positive(f"{path}: targets[{i}].radius_mm", row["radius_mm"])
+    return [Target(row["name"], tuple(1e-3 * float(x) for x in row["at_mm"]),
+                   1e-3 * float(row["radius_mm"]), bool(row.get("forbidden", False)))
+            for row in rows]
 
 
 def distance_to_segment_m(at_m: ArrayLike, from_m: ArrayLike, to_m: ArrayLike) -> float:
