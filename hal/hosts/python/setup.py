@@ -81,6 +81,10 @@ includes, libraries, prefix = folders()
 # Else setuptools leaves its work in this folder, which need not be writable.
 work = tempfile.mkdtemp(prefix="stylet-pip-")
 atexit.register(shutil.rmtree, work, ignore_errors=True)
+# The sources name their headers by the whole path, wherever this folder lies.
+top = pathlib.Path(work, "include")
+(top / "hal/hosts").mkdir(parents=True)
+(top / "hal/hosts/python").symlink_to(HERE)
 setup(
     version=version(includes),
     cmdclass={"build_py": BuildWithPrefix},
@@ -88,6 +92,6 @@ setup(
     ext_modules=[Extension(
         "stylet._stylet", sorted(str(path.relative_to(HERE))
                                  for path in (HERE / "src").glob("*.cpp")),
-        include_dirs=[str(HERE / "src"), *includes, *pybind11_include()], library_dirs=libraries,
+        include_dirs=[str(top), *includes, *pybind11_include()], library_dirs=libraries,
         libraries=["stylet"], runtime_library_dirs=libraries, language="c++",
         extra_compile_args=["-std=c++20", "-fvisibility=hidden", "-ffp-contract=off"])])

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "poses.h"
-#include "simulation.h"
+#include "hal/hosts/python/src/poses.h"
+#include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
 namespace {

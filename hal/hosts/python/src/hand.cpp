@@ -6,8 +6,8 @@
 #include <chrono>
 #include <thread>
 
-#include "poses.h"
-#include "simulation.h"
+#include "hal/hosts/python/src/poses.h"
+#include "hal/hosts/python/src/simulation.h"
 #include "stylet/stylet_loop.h"
 
 namespace stylet::python {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "poses.h"
-#include "simulation.h"
+#include "hal/hosts/python/src/poses.h"
+#include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
 namespace {

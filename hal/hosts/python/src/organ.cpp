@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "organ.h"
+#include "hal/hosts/python/src/organ.h"
 
 #include <pybind11/stl.h>
 
 #include <vector>
 
-#include "poses.h"
+#include "hal/hosts/python/src/poses.h"
 
 namespace stylet::python {
 namespace {

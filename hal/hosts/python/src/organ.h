@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "types.h"
+#include "hal/hosts/python/src/types.h"
 
 namespace stylet::python {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "poses.h"
+#include "hal/hosts/python/src/poses.h"
 
 #include <string>
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "types.h"
+#include "hal/hosts/python/src/types.h"
 
 namespace stylet::python {
 

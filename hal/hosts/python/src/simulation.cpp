@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulation.h"
+#include "hal/hosts/python/src/simulation.h"
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
 
-#include "poses.h"
+#include "hal/hosts/python/src/poses.h"
 
 namespace stylet::python {
 namespace {

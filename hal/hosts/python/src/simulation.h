@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "organ.h"
+#include "hal/hosts/python/src/organ.h"
 
 namespace stylet::python {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is seen of a simulation between two ticks, and how it is.
-#include "simulation.h"
-
 #include <string>
+
+#include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
 namespace {
