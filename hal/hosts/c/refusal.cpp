@@ -71,7 +71,8 @@ Spoken spoken(const char* field) {
 // Whether there may be several, so that the text says which: those of a simulation or a loop.
 bool is_of_several(std::string_view field) {
   constexpr std::array<std::string_view, 4> kSeveral{"needle.", "obstacle.", "guard.", "hand."};
-  return std::ranges::any_of(kSeveral, [&](auto each) { return field.starts_with(each); });
+  return std::any_of(kSeveral.begin(), kSeveral.end(),
+                     [&](std::string_view each) { return field.starts_with(each); });
 }
 
 stylet_status tell(stylet_refusal* refusal_out, const stylet_refusal& why) {
