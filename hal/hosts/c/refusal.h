@@ -17,14 +17,14 @@ stylet_status refuse_file(stylet_refusal* refusal_out, stylet_status status, con
                           const char* why);
 stylet_status refuse_text(stylet_refusal* refusal_out, stylet_status status, const char* place,
                           const char* text);
-// Null where a pointer is needed; `index`: which element of an array.
+// A value, with what was expected in words; `index`: of which element of an array; `given`: the
+// value in words, if it is no number.
+stylet_status refuse_value(stylet_refusal* refusal_out, stylet_status status, const char* place,
+                           double value, const char* expected, std::uint64_t index = 0,
+                           const char* given = nullptr);
+// Null where a pointer is needed.
 stylet_status refuse_missing(stylet_refusal* refusal_out, const char* place,
                              std::uint64_t index = 0);
-// A number, with what was expected in words.
-stylet_status refuse_value(stylet_refusal* refusal_out, stylet_status status, const char* place,
-                           double value, const char* expected);
-stylet_status refuse_memory(stylet_refusal* refusal_out, std::uint64_t bytes,
-                            std::uint64_t needed_bytes);
 // What ready() says of a simulation.
 stylet_status refuse_unready(stylet_refusal* refusal_out, stylet_status status);
 stylet_status refuse_size(stylet_refusal* refusal_out, const char* place, std::uint32_t bytes,

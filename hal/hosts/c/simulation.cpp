@@ -128,7 +128,9 @@ stylet_status stylet_simulation_create_in(const stylet_organ* organ, const style
       c::size_up(organ, config, needles, needle_count, own, need, refusal_out);
   if (status != STYLET_OK) return status;
   if (bytes < c::block_bytes(need)) {
-    return c::refuse_memory(refusal_out, bytes, c::block_bytes(need));
+    return c::refuse_value(refusal_out, STYLET_MEMORY_TOO_SMALL, "bytes",
+                           static_cast<double>(bytes),
+                           "what stylet_simulation_bytes says, or more");
   }
   *simulation_out = c::build(organ, own, need, memory);
   return c::refuse(refusal_out, STYLET_OK);
