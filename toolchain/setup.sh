@@ -39,7 +39,7 @@ to_test=(
   # cohorts under Slurm; the test starts its own daemons
   munge slurm-client slurmctld slurmd
   # the interface in C from other languages
-  mono-mcs mono-runtime octave octave-dev
+  mono-mcs mono-runtime mypy octave octave-dev
   # the console's page, which to build and run needs neither; the package for npm
   chromium emscripten nodejs
   # the book

@@ -320,10 +320,19 @@ constexpr const char* kFooter =
     "Exit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a fault that stands at\n"
     "the end, a replay with other results or a doubtful machine, 4 a machine not fit for real time";
 
-void add_lists(CLI::App& program, bool& scenes_json, bool& needles_json) {
+struct ListOptions {
+  bool json = false;
+  std::string organ_of;  // empty: all are listed
+};
+
+void add_lists(CLI::App& program, ListOptions& scene_list, bool& needles_json) {
   CLI::App& scenes = *program.add_subcommand(
       "scenes", "List the scenes that come with Stylet, to run by their name");
-  add_json(scenes, scenes_json, "one JSON array");
+  CLI::Option* const json = add_json(scenes, scene_list.json, "one JSON array");
+  scenes
+      .add_option("--organ", scene_list.organ_of,
+                  "Print the file of this scene's organ, and make it if it is not there yet")
+      ->excludes(json);
   CLI::App& needles = *program.add_subcommand(
       "needles", "List the needles that a scene may name: diameters, stiffness and tip");
   add_json(needles, needles_json, "one JSON array");
@@ -342,8 +351,9 @@ int dispatch(int argc, char** argv) {
   PlotOptions plot_options;
   DoctorOptions doctor_options;
   add_run(program, run_options);
-  bool scenes_json = false, needles_json = false;
-  add_lists(program, scenes_json, needles_json);
+  ListOptions scene_list;
+  bool needles_json = false;
+  add_lists(program, scene_list, needles_json);
   add_playback(program, playback_options);
   add_replay(program, replay_options);
   add_plot(program, plot_options);
@@ -368,7 +378,10 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
-  if (program.got_subcommand("scenes")) return list_scenes(scenes_json);
+  if (program.got_subcommand("scenes")) {
+    return scene_list.organ_of.empty() ? list_scenes(scene_list.json)
+                                       : tell_organ(scene_list.organ_of);
+  }
   if (program.got_subcommand("needles")) return list_needles(needles_json);
   if (program.got_subcommand("run")) {
     run_options.scene = scene_file(run_options.scene);

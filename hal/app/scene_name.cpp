@@ -105,4 +105,9 @@ int list_scenes(bool json) {
   return kExitOk;
 }
 
+int tell_organ(const std::string& given) {
+  fmt::print("{}\n", organ_of_scene(hal::read_scene(scene_file(given))));
+  return kExitOk;
+}
+
 }  // namespace stylet::app

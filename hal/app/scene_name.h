@@ -18,4 +18,8 @@ bool comes_with_stylet(const std::string& scene_file);
 // Prints names, each with the first sentence of its file. Returns the exit code.
 int list_scenes(bool json);
 
+// Prints the file of a scene's organ, made if the scene comes with Stylet and it is not there.
+// Throws SceneError. Returns the exit code.
+int tell_organ(const std::string& given);
+
 }  // namespace stylet::app

@@ -8,7 +8,6 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,9 +28,8 @@ int main(int argc, char** argv) try {
   hal::KernelInstance instance(organ, stylet::Config{});  // the organ's bytes must outlive it
 
   // Straight down through the middle of the lattice: the tip starts 1 mm above the skin.
-  const float edge = organ.voxel_edge_m;
-  stylet::Vec3 at = {organ.origin_m.x + edge * organ.size_x / 2,
-                     organ.origin_m.y + edge * organ.size_y / 2, organ.origin_m.z + 1};
+  stylet::Vec3 at{organ.origin_m.x + organ.voxel_edge_m * organ.size_x / 2,
+                  organ.origin_m.y + organ.voxel_edge_m * organ.size_y / 2, organ.origin_m.z + 1};
   float to_skin = 1;
   (void)organ_raycast(organ, at, {0, 0, -1}, to_skin);
   at.z += 1e-3F + stylet::NeedleConfig{}.length_m - to_skin;
@@ -47,16 +45,16 @@ int main(int argc, char** argv) try {
   config.hand[0].guard.max_force_n = device.info.max_force_n;
   hal::VirtualTime time;  // use monotonic_clock() for a real device
   hal::Ring<hal::TickRecord> records(config.ticks);
-  const auto state = std::make_unique<hal::LoopState>();
+  static hal::LoopState state;
   run_loop(config, instance.kernel, std::span(&device, 1), virtual_clock(time),
-           {.records = &records}, *state);
+           {.records = &records}, state);
   if (device.close != nullptr) device.close(device.self);
 
   float most_n = 0;
   for (hal::TickRecord each; records.pop(each);) most_n = std::max(most_n, each.command_n.z);
   std::printf("%s: %zu ticks, at most %.3f N on the hand, %s\n", device.info.name,
-              static_cast<std::size_t>(state->ticks), static_cast<double>(most_n),
-              hal::fault_name(state->hand[0].guard.fault));
+              static_cast<std::size_t>(state.ticks), static_cast<double>(most_n),
+              hal::fault_name(state.hand[0].guard.fault));
 } catch (const std::exception& error) {
   return std::fprintf(stderr, "%s\n", error.what()), 1;
 }

@@ -113,11 +113,25 @@ class Names(unittest.TestCase):
 
 
 class Citation(unittest.TestCase):
-    def test_version_is_that_of_the_project(self):
+    KINDS = ["Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"]
+
+    def setUp(self):
         lists = (SOURCE / "CMakeLists.txt").read_text()
-        project = re.search(r"project\(stylet VERSION ([\d.]+)", lists)
-        self.assertIn(f"\nversion: {project[1]}\n", (SOURCE / "CITATION.cff").read_text())
-        self.assertIn(f"Version {project[1]}.", (SOURCE / "toolchain/book/cite.md").read_text())
+        self.version = re.search(r"project\(stylet VERSION ([\d.]+)", lists)[1]
+
+    def test_version_is_that_of_the_project(self):
+        self.assertIn(f"\nversion: {self.version}\n", (SOURCE / "CITATION.cff").read_text())
+        self.assertIn(f"Version {self.version}.", (SOURCE / "toolchain/book/cite.md").read_text())
+
+    def test_changelog_has_a_section_of_the_version_with_its_day(self):
+        headings = re.findall(r"^##+ (?!#).*", (SOURCE / "CHANGELOG.md").read_text(), re.MULTILINE)
+        versions = [line for line in headings if line.startswith("## ")]
+        self.assertEqual(versions[0], "## [Unreleased]")
+        self.assertRegex(versions[1], rf"^## \[{re.escape(self.version)}\] - \d{{4}}-\d\d-\d\d$")
+        for first, end in zip(versions, [*versions[1:], None]):
+            part = headings[headings.index(first) + 1:headings.index(end) if end else None]
+            kinds = [line[4:] for line in part if line.startswith("### ")]
+            self.assertEqual(kinds, [kind for kind in self.KINDS if kind in kinds])
 
 
 class Links(unittest.TestCase):

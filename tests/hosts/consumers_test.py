@@ -131,6 +131,24 @@ class Installed(Consumers):
         with self.assertRaisesRegex(AssertionError, "nonsense: expected stylet, kernel or hal"):
             self.build("C", 99, "OFF", "stylet;nonsense")
 
+    def test_versions(self):
+        """A project gets this version and none that promises something else."""
+        project = re.search(r"project\(stylet VERSION (\d+)\.(\d+)", (
+            SOURCE / "CMakeLists.txt").read_text())
+        major, minor = map(int, project.groups())
+        env = environment(PKG_CONFIG_PATH=str(next(self.prefix.glob("**/pkgconfig"))))
+        for wanted, fits in ((f"{major}.{minor}", True), (f"{major}.{minor + 1}", False),
+                             (f"{major + 1}.0", False)):
+            folder = pathlib.Path(tempfile.mkdtemp(dir=self.top))
+            (folder / "CMakeLists.txt").write_text(
+                "cmake_minimum_required(VERSION 3.16)\nproject(page LANGUAGES C)\n"
+                f"find_package(stylet {wanted})\nmessage(STATUS \"found: ${{stylet_FOUND}}\")\n")
+            said = output("cmake", "-S", folder, "-B", folder / "build",
+                          f"-DCMAKE_PREFIX_PATH={self.prefix}", env=environment())
+            self.assertIn(f"found: {int(fits)}", said, wanted)
+            output("pkg-config", "--atleast-version", wanted, "stylet", env=env,
+                   status=0 if fits else 1)
+
     def test_c99_by_pkg_config(self):
         folder = next(self.prefix.glob("**/pkgconfig"))
         env = environment(PKG_CONFIG_PATH=str(folder))

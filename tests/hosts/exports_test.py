@@ -33,6 +33,29 @@ def declared(header):
     return set(re.findall(r"STYLET_API\s[^;(]*?\b(stylet_\w+)\s*\(", text))
 
 
+def layout(include):
+    """What a compiler makes of the headers in a folder: names of numbers with their values, fields
+    with their places and sizes."""
+    text = "".join(re.sub(r"/\*.*?\*/", "", header.read_text(), flags=re.S)
+                   for header in sorted((include / "stylet").glob("*.h")))
+    numbers = re.findall(r"\b(STYLET_[A-Z0-9_]+) =", text)
+    numbers += re.findall(r"#define (STYLET_(?:MAX|NO|FLAG)_\w+)", text)
+    fields = [(name, re.sub(r"\[.*", "", field).split()[-1])
+              for body, name in re.findall(r"typedef struct \{([^}]*)\} (\w+);", text)
+              for declaration in body.split(";") if declaration.strip() and "(" not in declaration
+              for field in declaration.replace("*", "").split(",")]
+    lines = [f'printf("{name} %llu\\n", (unsigned long long){name});' for name in numbers]
+    lines += [f'printf("{kind}.{field} %zu %zu\\n", offsetof({kind}, {field}), '
+              f"sizeof((({kind}*)0)->{field}));" for kind, field in fields]
+    with tempfile.TemporaryDirectory() as top:
+        source = pathlib.Path(top) / "layout.c"
+        source.write_text("#include <stdio.h>\n#include <stylet/stylet_loop.h>\nint main(void) {\n"
+                          + "\n".join(lines) + "\nreturn 0;\n}\n")
+        output("cc", "-std=c99", source, f"-I{include}", "-o", source.with_suffix(""))
+        said = output(source.with_suffix(""))
+    return dict(line.split(" ", 1) for line in said.splitlines())
+
+
 class Exports(unittest.TestCase):
     def test_are_those_of_the_list(self):
         """By version node, so that an old function that moves into another node is noticed."""
@@ -95,6 +118,19 @@ class Programs(unittest.TestCase):
                        f"-I{source.parent}", f"-L{folder}", "-lstylet", f"-Wl,-rpath,{folder}",
                        "-o", program)
                 self.assertEqual(output(program, ORGAN), "needle.length_m\nok\n")
+
+    def test_of_earlier_versions_mean_what_they_meant(self):
+        """Numbers keep their values, and fields their places and sizes: structs grow at their end,
+        or where they had room."""
+        now = layout(INCLUDE)
+        self.assertGreater(len(now), 250)
+        self.assertEqual(now["STYLET_FILE_UNREADABLE"], "403")
+        self.assertEqual(now["stylet_needle.outer_radius_m"], "8 4")
+        for version in sorted(path.parent for path in ABI.glob("*/stylet")):
+            then = {name: where for name, where in layout(version).items()
+                    if not name.endswith(".reserved")}
+            self.assertGreater(len(then), 200)
+            self.assertEqual({name: now.get(name) for name in then}, then, version.name)
 
     def test_earlier_programs_find_what_their_header_declared(self):
         names = {line.split()[0] for line in listed()}

@@ -7,6 +7,7 @@
 #include <stylet/stylet.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <functional>
@@ -313,11 +314,10 @@ TEST_F(Structs, RefusalsNameVectors) {
   stylet_config config;
   ASSERT_EQ(stylet_config_init(&config, sizeof config), STYLET_OK);
   config.breathing_amplitude_m = {3, 0, 4};
-  expect(&config, nullptr, "breathing_amplitude_m",
-         "breathing_amplitude_m [0]: length 5: expected");
+  expect(&config, nullptr, "breathing_amplitude_m", "breathing_amplitude_m: length 5: expected");
   config.breathing_amplitude_m = {0, 0, 0};
   config.breathing_period_s = -2;
-  expect(&config, nullptr, "breathing_period_s", "breathing_period_s [0]: -2: expected");
+  expect(&config, nullptr, "breathing_period_s", "breathing_period_s: -2: expected");
   stylet_obstacle obstacle;
   const auto fresh = [&] {
     ASSERT_EQ(stylet_obstacle_init(&obstacle, sizeof obstacle), STYLET_OK);
@@ -336,6 +336,63 @@ TEST_F(Structs, RefusalsNameVectors) {
   expect(nullptr, &obstacle, "obstacle.pose.rotation",
          "obstacle.pose.rotation [0]: length squared 4: expected");
   stylet_simulation_free(fresh_one);
+}
+
+// Whatever is refused says where, what was given and what was expected.
+TEST_F(Structs, RefusalsSayPlaceAndValue) {
+  stylet_refusal why = {};
+  why.struct_bytes = sizeof why;
+  const auto expect = [&](stylet_status status, stylet_status expected, const char* place,
+                          double value, std::uint64_t index, const std::string& text) {
+    EXPECT_EQ(status, expected);
+    EXPECT_EQ(why.status, expected);
+    EXPECT_STREQ(why.place, place);
+    EXPECT_EQ(why.value, value) << place;
+    EXPECT_EQ(why.index, index) << place;
+    EXPECT_STRNE(why.expected, "") << place;
+    EXPECT_EQ(why.text, text);
+  };
+  stylet_simulation* made = nullptr;
+  expect(stylet_simulation_create(nullptr, nullptr, nullptr, 0, &made, &why),
+         STYLET_ARGUMENT_MISSING, "organ", 0, 0, "organ: null: expected a pointer");
+  expect(stylet_simulation_create(organ_, nullptr, nullptr, 2, &made, &why),
+         STYLET_ARGUMENT_MISSING, "needles", 0, 0, "needles: null: expected a pointer");
+
+  stylet_config config = {};
+  config.struct_bytes = 7;
+  expect(
+      stylet_simulation_create(organ_, &config, nullptr, 0, &made, &why),
+      STYLET_STRUCT_SIZE_UNKNOWN, "config.struct_bytes", 7, 0,
+      "config.struct_bytes: 7: expected sizeof the struct, here " + std::to_string(sizeof config));
+  struct Longer {
+    stylet_needle known;
+    std::uint32_t beyond;
+  };
+  std::array<Longer, 2> needles = {};
+  for (Longer& each : needles) {
+    ASSERT_EQ(stylet_needle_init(&each.known, sizeof each), STYLET_OK);
+  }
+  needles[1].beyond = 1;
+  expect(stylet_simulation_create(organ_, nullptr, &needles[0].known, 2, &made, &why),
+         STYLET_STRUCT_SIZE_UNKNOWN, "needle.struct_bytes", sizeof(Longer), 1,
+         "needle.struct_bytes [1]: " + std::to_string(sizeof(Longer)) +
+             ": expected sizeof the struct, here " + std::to_string(sizeof(stylet_needle)) +
+             "; behind that zeros");
+
+  std::array<char, 100> memory = {};
+  expect(stylet_simulation_create_in(organ_, nullptr, nullptr, 0, memory.data(), memory.size(),
+                                     &made, &why),
+         STYLET_MEMORY_TOO_SMALL, "bytes", 100, 0,
+         "bytes: 100: expected what stylet_simulation_bytes says, or more");
+
+  ASSERT_EQ(stylet_simulation_create(organ_, nullptr, nullptr, 0, &made, &why), STYLET_OK);
+  for (int i = 0; i < 3; ++i) (void)stylet_simulation_tick(made, nullptr, 0, nullptr, 0);
+  expect(stylet_simulation_set_obstacles(made, nullptr, 0, &why), STYLET_OBSTACLES_TOO_LATE,
+         "obstacles", 3, 0,
+         "obstacles: 3: expected 0 ticks so far: before the first one, or after a reset");
+  stylet_simulation_free(made);
+  expect(stylet_simulation_set_obstacles(nullptr, nullptr, 0, &why), STYLET_ARGUMENT_MISSING,
+         "simulation", 0, 0, "simulation: null: expected a pointer");
 }
 
 // Elements are as far apart as the caller's struct is long, not as ours.

@@ -76,8 +76,9 @@ def put_in_place(top):
     site = top / "usr/share/zsh/site-functions"
     if site.exists():
         site.rename(site.with_name("vendor-completions"))
-    for licence in top.rglob("LICENSE"):  # the file `copyright` says where Debian has them
-        licence.unlink()
+    for name in ("LICENSE", "LICENSE.meta"):  # the file `copyright` says where Debian has them
+        for licence in top.rglob(name):
+            licence.unlink()
 
 
 def register_book(top, copyright_file, source):

@@ -123,7 +123,7 @@ stylet_status read_config(const stylet_config* config, const stylet_needle* need
   out = {};
   stylet_config own = to_struct(out);
   if (config != nullptr && !take(config, own)) {
-    return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+    return refuse_struct(refusal_out, "config", config);
   }
   put_config(own, out);
   out.needle_count = needle_count == 0 ? 1 : needle_count;
@@ -133,14 +133,13 @@ stylet_status read_config(const stylet_config* config, const stylet_needle* need
     return refuse_config(refusal_out, Status::kConfigValueOutOfRange, many);
   }
   if (needles == nullptr) {
-    return needle_count <= 1 ? stylet_status{STYLET_OK}
-                             : refuse(refusal_out, STYLET_ARGUMENT_MISSING);
+    return needle_count <= 1 ? stylet_status{STYLET_OK} : refuse_missing(refusal_out, "needles");
   }
   const std::uint32_t stride = stride_of(needles);
   for (std::uint32_t i = 0; i < needle_count; ++i) {
     stylet_needle each = to_struct(NeedleConfig{});
     if (!take(element(needles, stride, i), stride, each)) {
-      return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+      return refuse_struct(refusal_out, "needle", needles, i);
     }
     out.needle[i] = needle(each);
   }
@@ -149,12 +148,12 @@ stylet_status read_config(const stylet_config* config, const stylet_needle* need
 
 stylet_status read_obstacles(const stylet_obstacle* obstacles, std::span<ObstacleConfig> out,
                              stylet_refusal* refusal_out) {
-  if (obstacles == nullptr && !out.empty()) return refuse(refusal_out, STYLET_ARGUMENT_MISSING);
+  if (obstacles == nullptr && !out.empty()) return refuse_missing(refusal_out, "obstacles");
   const std::uint32_t stride = out.empty() ? 0 : stride_of(obstacles);
   for (std::size_t i = 0; i < out.size(); ++i) {
     stylet_obstacle each = to_struct(default_obstacle());
     if (!take(element(obstacles, stride, i), stride, each)) {
-      return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+      return refuse_struct(refusal_out, "obstacle", obstacles, i);
     }
     out[i] = obstacle(each);
   }

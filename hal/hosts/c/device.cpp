@@ -88,9 +88,8 @@ using namespace stylet;
 stylet_status stylet_device_open(const char* uri, double patience_s, stylet_device** device_out,
                                  stylet_refusal* refusal_out) try {
   if (device_out != nullptr) *device_out = nullptr;
-  if (device_out == nullptr || uri == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (device_out == nullptr) return c::refuse_missing(refusal_out, "device_out");
+  if (uri == nullptr) return c::refuse_missing(refusal_out, "uri");
   FirstOutside first(0);
   first.check("patience_s", patience_s, 0, std::numeric_limits<double>::infinity());
   const stylet_status status = c::told(first, refusal_out);
@@ -110,14 +109,12 @@ stylet_status stylet_device_from_functions(const stylet_device_functions* functi
                                            stylet_device** device_out,
                                            stylet_refusal* refusal_out) {
   if (device_out != nullptr) *device_out = nullptr;
-  if (device_out == nullptr || functions == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (device_out == nullptr) return c::refuse_missing(refusal_out, "device_out");
+  if (functions == nullptr) return c::refuse_missing(refusal_out, "functions");
   stylet_device_functions own = {};
-  if (!c::take(functions, own)) return c::refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
-  if (own.read == nullptr || own.write == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (!c::take(functions, own)) return c::refuse_struct(refusal_out, "functions", functions);
+  if (own.read == nullptr) return c::refuse_missing(refusal_out, "functions.read");
+  if (own.write == nullptr) return c::refuse_missing(refusal_out, "functions.write");
   const stylet_status status = c::check(own, refusal_out);
   if (status != STYLET_OK) return status;
   std::unique_ptr<stylet_device> made(new (std::nothrow) stylet_device);

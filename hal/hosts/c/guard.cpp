@@ -117,7 +117,8 @@ stylet_status read_guard(const stylet_guard_config* config, std::uint32_t bytes,
                          std::uint32_t index, CheckedGuard& out, stylet_refusal* refusal_out) {
   stylet_guard_config own = plain(hal::GuardConfig{}, 0);
   if (config != nullptr && !take(config, bytes, own)) {
-    return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+    const std::uint32_t told = bytes != 0 ? bytes : config->struct_bytes;
+    return refuse_size(refusal_out, "guard", told, sizeof *config, index);
   }
   const stylet_status status = check(own, index, refusal_out);
   if (status == STYLET_OK) out = {config_of(own), own.max_torque_nm};
@@ -154,7 +155,7 @@ const char* stylet_device_model(uint32_t index) {
 
 stylet_status stylet_guard_create(const stylet_guard_config* config, stylet_guard** guard_out,
                                   stylet_refusal* refusal_out) {
-  if (guard_out == nullptr) return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
+  if (guard_out == nullptr) return c::refuse_missing(refusal_out, "guard_out");
   *guard_out = nullptr;
   c::CheckedGuard checked;
   const std::uint32_t bytes = config == nullptr ? 0 : c::stride_of(config);

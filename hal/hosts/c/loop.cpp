@@ -132,11 +132,14 @@ stylet_status take_hands(stylet_loop& loop, stylet_device* const* devices, const
   const std::uint32_t hand_bytes = hands == nullptr ? 0 : stride_of(hands);
   const std::uint32_t guard_bytes = guards == nullptr ? 0 : stride_of(guards);
   for (std::uint32_t i = 0; i < loop.simulation->config.needle_count; ++i) {
-    if (devices[i] == nullptr) return refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-    if (devices[i]->taken) return refuse(refusal_out, STYLET_ARGUMENT_OUT_OF_RANGE);
+    if (devices[i] == nullptr) return refuse_missing(refusal_out, "devices", i);
+    if (devices[i]->taken) {
+      return refuse_value(refusal_out, STYLET_ARGUMENT_OUT_OF_RANGE, "devices", i,
+                          "the number of a device that no loop has and no needle before");
+    }
     stylet_hand hand = default_hand();
     if (hands != nullptr && !take(element(hands, hand_bytes, i), hand_bytes, hand)) {
-      return refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+      return refuse_struct(refusal_out, "hand", hands, i);
     }
     stylet_status status = check(hand, i, refusal_out);
     CheckedGuard guard;
@@ -297,15 +300,14 @@ stylet_status stylet_loop_create(stylet_simulation* simulation, const stylet_loo
                                  const stylet_guard_config* guards, stylet_loop** loop_out,
                                  stylet_refusal* refusal_out) try {
   if (loop_out != nullptr) *loop_out = nullptr;
-  if (loop_out == nullptr || devices == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (loop_out == nullptr) return c::refuse_missing(refusal_out, "loop_out");
+  if (devices == nullptr) return c::refuse_missing(refusal_out, "devices");
   stylet_status status = c::ready(simulation);
-  if (status != STYLET_OK) return c::refuse(refusal_out, status);
+  if (status != STYLET_OK) return c::refuse_unready(refusal_out, status);
   auto made = std::make_unique<stylet_loop>();
   made->config = c::default_config();
   if (config != nullptr && !c::take(config, made->config)) {
-    return c::refuse(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN);
+    return c::refuse_struct(refusal_out, "loop", config);
   }
   made->simulation = c::keep(simulation);
   const auto give_back = [&made](stylet_status why) {

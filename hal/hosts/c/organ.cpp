@@ -116,9 +116,8 @@ using namespace stylet;
 stylet_status stylet_organ_from_bytes(const void* bytes, size_t count, stylet_organ** organ_out,
                                       stylet_refusal* refusal_out) {
   if (organ_out != nullptr) *organ_out = nullptr;
-  if (organ_out == nullptr || bytes == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (organ_out == nullptr) return c::refuse_missing(refusal_out, "organ_out");
+  if (bytes == nullptr) return c::refuse_missing(refusal_out, "bytes");
   stylet_organ::Block copy = c::make_block(count);
   if (copy == nullptr) return c::refuse(refusal_out, STYLET_OUT_OF_MEMORY);
   std::memcpy(copy.get(), bytes, count);
@@ -128,9 +127,8 @@ stylet_status stylet_organ_from_bytes(const void* bytes, size_t count, stylet_or
 stylet_status stylet_organ_read(const char* path, stylet_organ** organ_out,
                                 stylet_refusal* refusal_out) {
   if (organ_out != nullptr) *organ_out = nullptr;
-  if (organ_out == nullptr || path == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (organ_out == nullptr) return c::refuse_missing(refusal_out, "organ_out");
+  if (path == nullptr) return c::refuse_missing(refusal_out, "path");
   const auto unreadable = [&](const char* why) {
     return c::refuse_file(refusal_out, STYLET_FILE_UNREADABLE, path, why);
   };

@@ -91,9 +91,8 @@ stylet_status stylet_simulation_create(const stylet_organ* organ, const stylet_c
                                        stylet_simulation** simulation_out,
                                        stylet_refusal* refusal_out) {
   if (simulation_out != nullptr) *simulation_out = nullptr;
-  if (organ == nullptr || simulation_out == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (organ == nullptr) return c::refuse_missing(refusal_out, "organ");
+  if (simulation_out == nullptr) return c::refuse_missing(refusal_out, "simulation_out");
   Config own;
   const stylet_status status = c::read_config(config, needles, needle_count, own, refusal_out);
   return status == STYLET_OK ? c::make(organ, own, simulation_out, refusal_out) : status;
@@ -103,9 +102,8 @@ stylet_status stylet_simulation_bytes(const stylet_organ* organ, const stylet_co
                                       const stylet_needle* needles, uint32_t needle_count,
                                       size_t* bytes_out, stylet_refusal* refusal_out) {
   if (bytes_out != nullptr) *bytes_out = 0;
-  if (organ == nullptr || bytes_out == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (organ == nullptr) return c::refuse_missing(refusal_out, "organ");
+  if (bytes_out == nullptr) return c::refuse_missing(refusal_out, "bytes_out");
   Config own;
   Sizes need = {};
   const stylet_status status =
@@ -121,15 +119,19 @@ stylet_status stylet_simulation_create_in(const stylet_organ* organ, const style
                                           stylet_simulation** simulation_out,
                                           stylet_refusal* refusal_out) {
   if (simulation_out != nullptr) *simulation_out = nullptr;
-  if (organ == nullptr || simulation_out == nullptr || memory == nullptr) {
-    return c::refuse(refusal_out, STYLET_ARGUMENT_MISSING);
-  }
+  if (organ == nullptr) return c::refuse_missing(refusal_out, "organ");
+  if (simulation_out == nullptr) return c::refuse_missing(refusal_out, "simulation_out");
+  if (memory == nullptr) return c::refuse_missing(refusal_out, "memory");
   Config own;
   Sizes need = {};
   const stylet_status status =
       c::size_up(organ, config, needles, needle_count, own, need, refusal_out);
   if (status != STYLET_OK) return status;
-  if (bytes < c::block_bytes(need)) return c::refuse(refusal_out, STYLET_MEMORY_TOO_SMALL);
+  if (bytes < c::block_bytes(need)) {
+    return c::refuse_value(refusal_out, STYLET_MEMORY_TOO_SMALL, "bytes",
+                           static_cast<double>(bytes),
+                           "what stylet_simulation_bytes says, or more");
+  }
   *simulation_out = c::build(organ, own, need, memory);
   return c::refuse(refusal_out, STYLET_OK);
 }
@@ -174,7 +176,7 @@ stylet_status stylet_simulation_set_obstacles(stylet_simulation* simulation,
                                               const stylet_obstacle* obstacles, uint32_t count,
                                               stylet_refusal* refusal_out) {
   stylet_status status = c::ready(simulation);
-  if (status != STYLET_OK) return c::refuse(refusal_out, status);
+  if (status != STYLET_OK) return c::refuse_unready(refusal_out, status);
   std::array<ObstacleConfig, kMaxObstacles> own;
   if (count > kMaxObstacles) {
     const ConfigRefusal many = {"obstacles", 0, static_cast<double>(count), 0, kMaxObstacles};
@@ -185,6 +187,11 @@ stylet_status stylet_simulation_set_obstacles(stylet_simulation* simulation,
   if (status != STYLET_OK) return status;
   ConfigRefusal why;
   const Status set = set_obstacles(simulation->kernel, used, &why);
+  if (set == Status::kObstaclesTooLate) {
+    return c::refuse_value(refusal_out, STYLET_OBSTACLES_TOO_LATE, "obstacles",
+                           static_cast<double>(stats(simulation->kernel).ticks),
+                           "0 ticks so far: before the first one, or after a reset");
+  }
   if (set != Status::kOk) return c::refuse_config(refusal_out, set, why);
   simulation->obstacle = own;
   simulation->obstacle_count = count;

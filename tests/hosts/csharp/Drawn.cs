@@ -9,7 +9,7 @@ using System.Reflection;
 using Stylet;
 
 public sealed class Drawn {
-  static readonly string[] NotCalled = { "Wait", "Start" };  // of a loop without end
+  static readonly string[] NotCalled = { "Loop.Wait", "Loop.Start", "Loop.Run" };  // it has no end
   readonly Random random;
   readonly Organ organ;
   readonly SortedSet<string> called = new SortedSet<string>(), silent = new SortedSet<string>();
@@ -28,6 +28,9 @@ public sealed class Drawn {
   object Struct(Type type) {
     MethodInfo init = typeof(Simulation).GetMethod("Default" + type.Name) ??
                       typeof(Loop).GetMethod("Default" + type.Name);
+    if (Nullable.GetUnderlyingType(type) != null) {
+      return random.Next(3) == 0 ? null : Struct(Nullable.GetUnderlyingType(type));
+    }
     object made = init != null && random.Next(3) > 0 ? init.Invoke(null, null)
                                                      : Activator.CreateInstance(type);
     foreach (FieldInfo field in type.GetFields().Where(each => random.Next(4) == 0)) {
@@ -56,6 +59,10 @@ public sealed class Drawn {
     if (type == typeof(double)) return (double)Odd();
     if (type == typeof(Organ)) return organ;
     if (type == typeof(Simulation)) return new Simulation(organ, Simulation.DefaultConfig());
+    if (type == typeof(Batch)) {
+      return new Batch(new[] { new Simulation(organ, Simulation.DefaultConfig()) }, 1);
+    }
+    if (type == typeof(Guard)) return new Guard(Guard.DefaultConfig());
     if (type == typeof(Device)) return Device.Simulated(0.01F, 0.01F, 0);
     if (type == typeof(Loop)) {
       return new Loop(new Simulation(organ, Simulation.DefaultConfig()), Loop.DefaultConfig(),
@@ -81,14 +88,16 @@ public sealed class Drawn {
 
   public static void Calls(Organ organ, byte[] bytes) {
     var drawn = new Drawn(7, organ);
-    Type[] kinds = { typeof(Organ), typeof(Simulation), typeof(Device), typeof(Loop) };
+    Type[] kinds = { typeof(Organ), typeof(Simulation), typeof(Batch), typeof(Guard),
+                     typeof(Device), typeof(Loop), typeof(Library) };
     for (int round = 0; round < 40; ++round) {
       foreach (Type kind in kinds) {
         foreach (ConstructorInfo each in kind.GetConstructors()) {
           drawn.Call(kind.Name, each, null);
         }
         foreach (MethodInfo each in kind.GetMethods().Where(
-                     each => each.DeclaringType == kind && !NotCalled.Contains(each.Name))) {
+                     each => each.DeclaringType == kind &&
+                             !NotCalled.Contains(kind.Name + "." + each.Name))) {
           object of = each.IsStatic ? null
                       : kind == typeof(Organ) ? new Organ(bytes) : drawn.Value(kind);
           if (each.IsStatic || of != null) drawn.Call(kind.Name + "." + each.Name, each, of);

@@ -15,6 +15,10 @@ public static class Frames {
         case "disposal": Lives.DisposedInACall(organ); break;
         case "closed": Lives.Closed(organ); break;
         case "drawn": Drawn.Calls(organ, System.IO.File.ReadAllBytes(arguments[1])); break;
+        case "declared": Lives.Declared(); break;
+        case "batch": Many(organ); break;
+        case "guard": Guarded(); break;
+        case "more": More(organ); break;
         case "handles": Lives.Handles(); break;
         case "life": Life(organ, System.IO.File.ReadAllBytes(arguments[1])); break;
         default: return 2;
@@ -88,6 +92,99 @@ public static class Frames {
       simulation.Restore(saved);
       Console.WriteLine("{0} {1}", moved, simulation.Hash() == then);
     }
+  }
+
+  static Input[] Way(Organ organ, int ticks, int from) {
+    var inputs = new Input[ticks];
+    for (int i = 0; i < ticks; ++i) {
+      inputs[i] = new Input { valid = 1, handle = At(organ, from + i) };
+    }
+    return inputs;
+  }
+
+  // A batch of two and runs of many ticks end where single ticks do.
+  static void Many(Organ organ) {
+    Simulation[] all = { new Simulation(organ, Simulation.DefaultConfig()),
+                         new Simulation(organ, Simulation.DefaultConfig()) };
+    Input[] first = Way(organ, 200, 0), second = Way(organ, 200, 50);
+    var inputs = new Input[400];
+    first.CopyTo(inputs, 0);
+    second.CopyTo(inputs, 200);
+    var outputs = new Output[400];
+    using (var batch = new Batch(all, 2)) batch.Run(inputs, outputs);
+    var single = new Simulation(organ, Simulation.DefaultConfig());
+    foreach (Input each in second) {
+      single.Inputs[0] = each;
+      single.Tick();
+    }
+    var runs = new Simulation(organ, Simulation.DefaultConfig());
+    var told = new Output[200];
+    runs.Run(first, told);
+    ulong index;
+    Console.WriteLine("{0} {1} {2} {3}", all[1].Hash() == single.Hash(),
+                      outputs[399].force_n.z == single.Outputs[0].force_n.z,
+                      all[0].Difference(runs, out index) == null, told[199].tick);
+    using (Simulation copy = single.Clone()) {
+      copy.Tick();
+      Console.WriteLine("{0} {1}", single.Outputs[0].tick, copy.Outputs[0].tick);
+    }
+    try {
+      runs.Run(new Input[3], new Output[2]);
+    } catch (ArgumentException e) {
+      Console.WriteLine(e.Message);
+    }
+  }
+
+  // A force beyond the limit is cut; a fault takes it away until somebody has seen it.
+  static void Guarded() {
+    GuardConfig config = Guard.ConfigFor("touch");
+    config.dead_man_button = -1;
+    using (var guard = new Guard(config)) {
+      float most = 0;
+      for (int tick = 1; tick <= 3000; ++tick) {
+        var sample = new Sample { seq = (ulong)tick, t_ns = tick * 1000000L };
+        sample.pose.rotation.w = 1;
+        guard.Sample(sample, tick * 1000000L);
+        most = Math.Max(most, guard.Force(new Vec3(0, 0, 1)).z);
+      }
+      guard.Trip(5);
+      GuardReport report = guard.Report();
+      Console.WriteLine("{0:F3}|{1}|{2}|{3}", most, Loop.FaultName(report.fault),
+                        report.samples_used, guard.Rearm(1));
+    }
+    config.max_force_n = -1;
+    try {
+      new Guard(config);
+    } catch (StyletException e) {
+      Console.WriteLine("{0} {1}", e.Place, e.Value);
+    }
+    try {
+      Guard.ConfigFor("no such");
+    } catch (StyletException e) {
+      Console.WriteLine(e.Message);
+    }
+  }
+
+  // What is seen of a needle in tissue.
+  static void More(Organ organ) {
+    using (var simulation = new Simulation(organ, Simulation.DefaultConfig())) {
+      for (int i = 0; i < 600; ++i) Step(organ, simulation, i);
+      float real_kg, stepped_kg;
+      simulation.Mass(0, out real_kg, out stepped_kg);
+      Console.WriteLine("{0} {1} {2}", organ.NameOf(0), organ.Material(0).youngs_modulus_pa > 0,
+                        real_kg > 0 && stepped_kg > 0);
+      Console.WriteLine("{0} {1} {2}", organ.Voxels().Length == organ.Info.voxels,
+                        simulation.VoxelCorners().Length == 8 * organ.Info.voxels,
+                        simulation.Particles().Length > organ.Info.voxels);
+      Console.WriteLine("{0} {1} {2} {3}",
+                        simulation.ConstraintParticles().Length ==
+                            simulation.Outputs[0].constraint_particles,
+                        simulation.ObstacleTouches().Length, simulation.Stats().ticks,
+                        simulation.Energy().work_by_hand_j > 0);
+    }
+    Needle preset = Simulation.Preset(Simulation.PresetNames()[0]);
+    Console.WriteLine("{0} {1} {2}", preset.bending_nm2 > 0, Library.Version(),
+                      Simulation.EventName(2));
   }
 
   // Organs to which there is no reference any more, while the collector runs and moves what it can.

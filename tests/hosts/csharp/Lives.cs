@@ -3,6 +3,7 @@
 using System;
 using System.Collections.Generic;
 using System.Reflection;
+using System.Runtime.InteropServices;
 using System.Threading;
 using Stylet;
 
@@ -93,6 +94,13 @@ public static class Lives {
     simulation.Dispose();
     simulation.Dispose();
     Says(() => simulation.Surface());
+    Says(() => simulation.Tick());
+    Says(() => simulation.Clone());
+    Says(() => new Batch(new[] { simulation }));
+    var guard = new Guard(Guard.DefaultConfig());
+    guard.Dispose();
+    guard.Dispose();
+    Says(() => guard.Force(new Vec3(0, 0, 0)));
   }
 
   static void Says(Action use) {
@@ -103,6 +111,20 @@ public static class Lives {
     }
   }
 
+  // The functions of the library that the package declares, and the sizes of its structs.
+  public static void Declared() {
+    Type native = typeof(Organ).Assembly.GetType("Stylet.Native");
+    var lines = new List<string>();
+    foreach (MethodInfo each in native.GetMethods(BindingFlags.Static | BindingFlags.NonPublic)) {
+      if (each.Name.StartsWith("stylet_")) lines.Add(each.Name);
+    }
+    foreach (Type each in typeof(Organ).Assembly.GetTypes()) {
+      bool plain = each.Namespace == "Stylet" && each.IsValueType && each.IsLayoutSequential;
+      if (plain && !each.IsNested) lines.Add(each.Name + " " + Marshal.SizeOf(each));
+    }
+    foreach (string each in lines) Console.WriteLine(each);
+  }
+
   // Names of functions of the library that take one of its objects as a bare pointer.
   public static void Handles() {
     var names = new List<string>();
@@ -111,7 +133,7 @@ public static class Lives {
       foreach (ParameterInfo parameter in each.GetParameters()) {
         Type type = parameter.ParameterType;
         bool is_bare = type == typeof(IntPtr) || type == typeof(IntPtr).MakeByRefType();
-        if (is_bare && parameter.Name != "guards") names.Add(each.Name);
+        if (is_bare) names.Add(each.Name);
       }
     }
     names.Sort();

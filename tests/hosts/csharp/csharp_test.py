@@ -8,6 +8,7 @@ usage: csharp_test.py LIBRARY_FOLDER EXAMPLE_IN_C STYLET_ORGAN
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -58,9 +59,18 @@ class CSharp(unittest.TestCase):
         self.assertEqual(self.run_program("Insert", self.organ), in_c.split("\n")[:-1])
         self.assertIn("state ", in_c)
 
-    def test_example_is_short(self):
-        lines = (PACKAGE / "Examples~/Insert.cs").read_text().splitlines()
-        self.assertLessEqual(len(lines), 60)
+    def test_every_asset_has_a_number_of_its_own(self):
+        """Unity gives files without .meta new numbers on every machine, and warns of a .meta that
+        has no file. It does not look into folders whose name ends with ~, but their content is
+        copied into a project."""
+        assets = {path for path in PACKAGE.rglob("*") if path.suffix != ".meta"
+                  and not path.name.endswith("~") and "Examples~" not in path.parts
+                  and path != PACKAGE / "Samples~/Insert"}
+        metas = set(PACKAGE.rglob("*.meta"))
+        self.assertEqual({path.with_name(path.name + ".meta") for path in assets}, metas)
+        numbers = [re.search(r"^guid: ([0-9a-f]{32})$", path.read_text(), re.MULTILINE)[1]
+                   for path in metas]
+        self.assertEqual(len(set(numbers)), len(numbers))
 
     def test_unitys_sample_compiles(self):
         """Against a stand-in of Unity's types, in the version of C# and with the rights that its
@@ -109,12 +119,59 @@ class CSharp(unittest.TestCase):
         self.assertEqual(ended, "True")
 
     def test_closed_objects_say_so(self):
-        self.assertEqual(self.ask("closed"), 3 * ["ObjectDisposedException"])
+        self.assertEqual(self.ask("closed"), 7 * ["ObjectDisposedException"])
 
     def test_every_call_holds_the_objects_it_uses(self):
         """Only functions that free take a bare pointer; new functions are found by reflection."""
-        self.assertEqual(self.ask("handles"), ["stylet_device_close", "stylet_loop_free",
-                                               "stylet_organ_free", "stylet_simulation_free"])
+        self.assertEqual(self.ask("handles"), [
+            "stylet_batch_free", "stylet_device_close", "stylet_guard_free", "stylet_loop_free",
+            "stylet_organ_free", "stylet_simulation_free"])
+
+    def test_declares_all_functions_and_structs_of_the_interface(self):
+        c = PACKAGE.parent / "c"
+        functions = re.findall(r"stylet_\w+", (c / "symbols.txt").read_text())
+        lines = self.ask("declared")
+        self.assertEqual(sorted(line for line in lines if " " not in line), sorted(functions))
+        sizes = {name: int(size) for name, size in (line.split() for line in lines if " " in line)}
+        # As C's names are: stylet_loop_config is LoopConfig.
+        structs = re.findall(r"^} (stylet_\w+);", "".join(
+            (c / f"include/stylet/{name}.h").read_text() for name in ("stylet", "stylet_loop")),
+            re.MULTILINE)
+        own = {"stylet_event": "Happened", "stylet_organ_info": "OrganInfo"}
+        left_out = {"stylet_command", "stylet_device_functions"}  # of callbacks: README.md
+        names = {own.get(each) or each[7:].title().replace("_", ""): each for each in structs
+                 if each not in left_out}
+        self.assertEqual(set(sizes), set(names))
+        program = pathlib.Path(self.folder.name) / "sizes.c"
+        program.write_text("#include <stdio.h>\n#include <stylet/stylet_loop.h>\nint main(void) {\n"
+                           + "".join(f'printf("%zu\\n", sizeof({names[name]}));\n'
+                                     for name in sizes) + "return 0;\n}\n")
+        subprocess.run(["cc", program, f"-I{c / 'include'}", "-o", program.with_suffix("")],
+                       check=True)
+        told = subprocess.run([program.with_suffix("")], check=True, text=True,
+                              capture_output=True).stdout
+        self.assertEqual(list(sizes.values()), list(map(int, told.split())), list(sizes))
+
+    def test_many_at_once(self):
+        same, copy, refused = self.ask("batch")
+        self.assertEqual(same, "True True True 200")
+        self.assertEqual(copy, "200 201")
+        self.assertIn("3 inputs, 2 outputs: expected as many", refused)
+
+    def test_a_guard(self):
+        cut, field, model = self.ask("guard")
+        most, fault, used, rearmed = cut.split("|")
+        self.assertEqual((most, used, rearmed), ("1.000", "3000", "False"))
+        self.assertIn("kernel", fault)
+        self.assertEqual(field, "guard.max_force_n -1")
+        self.assertNotEqual(model, "")
+
+    def test_what_is_seen(self):
+        material, counts, needle, rest = self.ask("more")
+        self.assertRegex(material, "^[a-z]+ True True$")
+        self.assertEqual(counts, "True True True")
+        self.assertEqual(needle, "True 0 600 True")
+        self.assertRegex(rest, r"^True \d+\.\d+\.\d+ puncture$")
 
     def test_drawn_arguments_end_in_an_exception_with_words(self):
         called, silent = self.ask("drawn")

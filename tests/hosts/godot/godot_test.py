@@ -39,7 +39,10 @@ class Godot(unittest.TestCase):
         cls.top = pathlib.Path(folder.name)
         cls.project = cls.top / "project"
         shutil.copytree(GODOT / "project", cls.project)
-        shutil.copy(HERE / "frames.gd", cls.project)
+        for name in "frames.gd", "automatic.gd":
+            shutil.copy(HERE / name, cls.project)
+        scene = (cls.project / "insert.tscn").read_text()
+        (cls.project / "automatic.tscn").write_text(scene.replace("insert.gd", "automatic.gd"))
         cls.organ = cls.project / "liver.organ"
         run(ORGAN_MAKER, "phantom", "liver", "--voxel-mm", 10, "-o", cls.organ)
         run(*STRICT_C, "-shared", "-fPIC", f"-I{HEADERS}", f"-I{SOURCE}",
@@ -65,7 +68,7 @@ class Godot(unittest.TestCase):
 
     def test_every_frame_has_the_force_of_the_interface_in_c(self):
         log = self.top / "log"
-        said = self.godot(STYLET_INSERT_LOG=str(log))
+        said = self.godot("res://automatic.tscn", STYLET_INSERT_LOG=str(log))
         told = run(self.top / "replay", self.organ, log, TICKS_OF_A_FRAME)
         frames, others, most_n = re.match(r"frames (\d+), other forces (\d+), at most (\S+) N",
                                           told).groups()

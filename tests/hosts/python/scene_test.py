@@ -12,6 +12,7 @@ import os
 import pathlib
 import subprocess
 import unittest
+import unittest.mock
 
 import numpy as np
 import stylet
@@ -145,6 +146,43 @@ class Patient(unittest.TestCase):
         self.assertLessEqual(info["distance_m"], env.target.radius_m)
         _, first = env.reset(seed=0)
         self.assertAlmostEqual(sum(rewards), 2 - info["distance_m"] / first["distance_m"], places=6)
+
+
+class ByName(unittest.TestCase):
+    """Scenes that come with Stylet, as `stylet run NAME` takes them."""
+
+    def setUp(self):
+        program("stylet-organ")
+        program("stylet")
+        caches = unittest.mock.patch.dict(os.environ, {"XDG_CACHE_HOME": str(folder() / "caches")})
+        caches.start()
+        self.addCleanup(caches.stop)
+
+    def test_organ_is_made_once_and_is_the_programs(self):
+        env = environment("lumbar-puncture")
+        self.assertEqual([target.name for target in env.targets], ["epidural space", "dura"])
+        kept, = (folder() / "caches/stylet/organs").iterdir()
+        self.assertEqual(env.organ.info.hash, stylet.Organ.read(kept).info.hash)
+        before = kept.stat().st_mtime_ns
+        environment(SOURCE / "hal/scenes/lumbar-puncture.toml")  # the file of the same scene
+        self.assertEqual(kept.stat().st_mtime_ns, before)
+        ran = subprocess.run([program("stylet"), "run", "lumbar-puncture", "--fast",
+                              "--duration-s", "0.01"], capture_output=True, text=True)
+        self.assertNotIn("is made once", ran.stderr)
+
+    def test_messages_name_the_command(self):
+        with self.assertRaisesRegex(FileNotFoundError, "lumbar: no such file, and no scene of this "
+                                    "name: there are .*lumbar-puncture"):
+            environment("lumbar")
+        own = folder() / "own.toml"
+        own.write_text((SOURCE / "hal/scenes/lumbar-puncture.toml").read_text())
+        with self.assertRaisesRegex(FileNotFoundError, "stylet run .*own.toml.*stylet-organ phant"):
+            environment(own)
+        with unittest.mock.patch.object(stylet.scene.place, "program", lambda: None):
+            with self.assertRaisesRegex(FileNotFoundError, "Debian: package stylet"):
+                environment("lumbar-puncture")
+            with self.assertRaisesRegex(FileNotFoundError, "`stylet run .*lumbar-puncture.toml`"):
+                environment(SOURCE / "hal/scenes/lumbar-puncture.toml")
 
 
 class Obstacles(unittest.TestCase):

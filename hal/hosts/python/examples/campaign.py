@@ -39,20 +39,18 @@ def insertion(organ, aside_m, tilt_rad, depth_m, speed_m_per_s, outer_radius_m, 
             "flags": np.bitwise_or.reduce(outputs["flags"]), "state": simulation.hash()}
 
 
-def main():
+if __name__ == "__main__":
     parser = argparse.ArgumentParser()
-    parser.add_argument("organ")
-    parser.add_argument("table")
-    parser.add_argument("--insertions", type=int, default=2000)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--workers", type=int)
-    parser.add_argument("--scheduler-file")
+    for name in ("organ", "table", "--scheduler-file"):
+        parser.add_argument(name)
+    for name, default in (("--insertions", 2000), ("--seed", 1), ("--workers", None)):
+        parser.add_argument(name, type=int, default=default)
     args = parser.parse_args()
     client = None
     if args.scheduler_file:
         from dask.distributed import Client
         client = Client(scheduler_file=args.scheduler_file)
-    rows = {"organ": [args.organ] * args.insertions,
+    rows = {"organ": args.insertions * [args.organ],
             **stylet.draw(DRAWN, args.insertions, args.seed)}
     table = stylet.sweep(insertion, rows, args.workers, client, args.table, {"seed": args.seed},
                          lambda done, of: print(f"\r{done} of {of}", end=" ", file=sys.stderr))
@@ -60,7 +58,3 @@ def main():
     peak = table["peak_force_n"]
     print(f"{len(peak)} insertions, {np.count_nonzero(table['error'] != '')} failed; largest force "
           f"{np.nanmean(peak):.2f} N on average, {np.nanmin(peak):.2f} to {np.nanmax(peak):.2f} N")
-
-
-if __name__ == "__main__":
-    main()

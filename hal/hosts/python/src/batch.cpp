@@ -21,7 +21,9 @@ class Batch {
       auto* const each = object.cast<Simulation*>();
       simulations_.push_back(each);
       if (each->needles() != simulations_[0]->needles()) {
-        throw py::value_error("simulations of one batch have the same number of needles");
+        throw py::value_error("simulations: needles: " + std::to_string(each->needles()) +
+                              ": expected " + std::to_string(simulations_[0]->needles()) +
+                              ", as the first one has");
       }
       handles.push_back(each->handle());
     }
@@ -42,8 +44,10 @@ class Batch {
     const bool has_axis = shape.size() == 3 && shape[2] == needles;
     if ((!has_axis && (shape.size() != 2 || needles > 1)) ||
         shape[0] != static_cast<py::ssize_t>(simulations_.size())) {
-      throw py::value_error(
-          "expected poses of shape (simulations, ticks, needles, 7), or (simulations, ticks, 7)");
+      throw py::value_error("poses: " + text_of(shape) + " of them: expected (" +
+                            std::to_string(simulations_.size()) + ", ticks, " +
+                            std::to_string(needles) + "), for simulations, ticks and needles" +
+                            (needles > 1 ? "" : ", or without the last"));
     }
     py::array array = output_array(out, shape);
     auto* const outputs = static_cast<stylet_output*>(array.mutable_data());

@@ -123,12 +123,12 @@ class Device {
       status = stylet_device_open(uri.c_str(), patience_s, &made, &why);
     }
     check(status, why);
-    return Device(made);
+    return Device(made, uri);
   }
   static Device simulated(float travel_m, float speed_m_per_s, float hold_s) {
     stylet_device* made = nullptr;
     check(stylet_device_simulated(travel_m, speed_m_per_s, hold_s, &made));
-    return Device(made);
+    return Device(made, "simulated");
   }
   Device(Device&&) = default;
 
@@ -138,13 +138,17 @@ class Device {
   }
   void give() { (void)handle_.release(); }
   void close() { handle_.reset(); }
+  std::string told() const {
+    return "<stylet.Device " + name_ + (handle_ == nullptr ? ": closed, or a loop has it>" : ">");
+  }
 
  private:
   struct Close {
     void operator()(stylet_device* device) const { stylet_device_close(device); }
   };
-  explicit Device(stylet_device* handle) : handle_(handle) {}
+  Device(stylet_device* handle, std::string name) : handle_(handle), name_(std::move(name)) {}
   std::unique_ptr<stylet_device, Close> handle_;
+  std::string name_;
 };
 
 class Loop {
@@ -156,8 +160,10 @@ class Loop {
     const Use use(simulation);
     if (devices.size() != needles_ || hands.size() != needles_ ||
         (!guards.empty() && guards.size() != needles_)) {
-      throw py::value_error(
-          "expected one device, one hand and one guard, or none, for each needle");
+      throw py::value_error("devices, hands, guards: " + std::to_string(devices.size()) + ", " +
+                            std::to_string(hands.size()) + ", " + std::to_string(guards.size()) +
+                            ": expected " + std::to_string(needles_) +
+                            " of each, one for a needle, or no guards");
     }
     std::vector<stylet_device*> own_devices;
     for (const Device* each : devices) {
@@ -342,7 +348,8 @@ void add_hand(py::module_& module) {
   device.def_static("open", &Device::open, py::arg("uri"), py::arg("patience_s") = 10.0)
       .def_static("simulated", &Device::simulated, py::arg("travel_m"), py::arg("speed_m_per_s"),
                   py::arg("hold_s") = 0.0F)
-      .def("close", &Device::close);
+      .def("close", &Device::close)
+      .def("__repr__", &Device::told);
   add_loop(module);
 }
 

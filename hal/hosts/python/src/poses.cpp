@@ -20,6 +20,14 @@ Floats floats(py::handle given) {
 
 }  // namespace
 
+std::string text_of(const std::vector<py::ssize_t>& shape) {
+  std::string out = "(";
+  for (const py::ssize_t each : shape) {
+    out += (out.size() > 1 ? ", " : "") + std::to_string(each);
+  }
+  return out + (shape.size() == 1 ? ",)" : ")");
+}
+
 Floats real_numbers(const char* name, py::handle given, const py::object& shape, const char* none) {
   return py::module_::import("stylet.given").attr("real")(name, given, shape, none);
 }
@@ -30,7 +38,9 @@ Inputs::Inputs(const py::object& given, const py::object& valid) {
       py::reinterpret_borrow<py::array>(given).dtype().equal(input_dtype())) {
     held_ = py::reinterpret_borrow<py::array>(given);
     if ((held_.flags() & py::array::c_style) == 0) {
-      throw py::value_error("inputs must lie in one piece (numpy.ascontiguousarray)");
+      throw py::value_error("inputs of strides " +
+                            py::str(held_.attr("strides")).cast<std::string>() +
+                            ": expected an array in one piece (numpy.ascontiguousarray)");
     }
     ready_ = static_cast<const stylet_input*>(held_.data());
     axes = held_.ndim();
@@ -40,7 +50,9 @@ Inputs::Inputs(const py::object& given, const py::object& valid) {
                             ": expected " + std::to_string(sizeof(stylet_input)) +
                             ", as stylet.inputs writes it");
     }
-    if (!valid.is_none()) throw py::value_error("inputs say themselves which are valid");
+    if (!valid.is_none()) {
+      throw py::value_error("valid: expected None: the inputs say themselves which are valid");
+    }
   } else {
     const Floats poses = floats(given);
     axes = poses.ndim() - 1;
@@ -58,7 +70,10 @@ Inputs::Inputs(const py::object& given, const py::object& valid) {
                          ": expected truths");
   }
   valid_ = Truths::ensure(truths);
-  if (valid_.size() != count_) throw py::value_error("valid: expected one truth for each pose");
+  if (valid_.size() != count_) {
+    throw py::value_error("valid: " + std::to_string(valid_.size()) + " truths: expected " +
+                          std::to_string(count_) + ", one for each pose");
+  }
   truths_ = valid_.data();
 }
 

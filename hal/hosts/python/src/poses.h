@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "hal/hosts/python/src/types.h"
@@ -18,6 +19,9 @@ using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
 // What Python gave as real numbers (stylet/given.py, which refuses anything else by `name`).
 // `shape` is a tuple or None; `none` says what to do instead of giving None.
+// As Python writes it: "(3, 7)".
+std::string text_of(const std::vector<py::ssize_t>& shape);
+
 Floats real_numbers(const char* name, py::handle given, const py::object& shape,
                     const char* none = "expected numbers");
 

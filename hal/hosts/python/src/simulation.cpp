@@ -72,7 +72,10 @@ py::object Simulation::tick(const py::object& poses) {
     const Poses all = poses_of_tick(poses, held);
     has_axis = all.has_axis;
     given = static_cast<std::uint32_t>(all.count);
-    if (given != needles_) throw py::value_error("expected one pose for each needle");
+    if (given != needles_) {
+      throw py::value_error("poses: " + std::to_string(given) + ": expected " +
+                            std::to_string(needles_) + ", one for each needle");
+    }
     for (std::uint32_t i = 0; i < given; ++i) {
       inputs_[i] = input_of(all.numbers + kPoseNumbers * i, true);
     }
@@ -97,7 +100,14 @@ py::array output_array(const py::object& out, const std::vector<py::ssize_t>& sh
         py::isinstance<py::array>(out) && array.dtype().equal(output_dtype()) &&
         (array.flags() & py::array::c_style) != 0 && array.writeable() &&
         std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim());
-    if (!fits) throw py::value_error("out: expected an array of output_dtype with a row a pose");
+    if (!fits) {
+      const std::string given =
+          py::isinstance<py::array>(out)
+              ? "an array of shape " + py::str(array.attr("shape")).cast<std::string>()
+              : py::repr(py::type::of(out)).cast<std::string>();
+      throw py::value_error("out: " + given + ": expected an array of output_dtype of shape " +
+                            text_of(shape) + " in one piece, which may be written");
+    }
   }
   return array;
 }
@@ -108,7 +118,9 @@ py::array Simulation::run(const py::object& poses, const py::object& valid, cons
   const auto& shape = inputs.shape();
   const bool has_axis = shape.size() == 2 && shape[1] == static_cast<py::ssize_t>(needles_);
   if (!has_axis && (shape.size() != 1 || needles_ > 1)) {
-    throw py::value_error("expected poses of shape (ticks, needles, 7), or (ticks, 7) of a needle");
+    throw py::value_error("poses: " + text_of(shape) + " of them: expected (ticks, " +
+                          std::to_string(needles_) + "), for ticks and needles" +
+                          (needles_ > 1 ? "" : ", or (ticks,)"));
   }
   py::array array = output_array(out, shape);
   auto* const outputs = static_cast<stylet_output*>(array.mutable_data());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is seen of a simulation between two ticks, and how it is.
+#include <string>
+
 #include "hal/hosts/python/src/simulation.h"
 
 namespace stylet::python {
@@ -36,7 +38,10 @@ py::array Simulation::surface() {
 }
 
 py::array Simulation::needle_shape(std::uint32_t needle) {
-  if (needle >= needles_) throw py::index_error("there is no such needle");
+  if (needle >= needles_) {
+    throw py::index_error("needle " + std::to_string(needle) + ": expected 0 to " +
+                          std::to_string(needles_ - 1));
+  }
   return show<stylet_vec3>(shapes_[needle], vec3_dtype(), 3, STYLET_MAX_RODS + 1,
                            [&](auto* out, std::uint32_t room) {
                              return stylet_simulation_needle_shape(handle(), needle, out, room);

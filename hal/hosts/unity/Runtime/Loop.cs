@@ -47,13 +47,17 @@ public sealed unsafe class Loop : IDisposable {
     return hand;
   }
 
-  // One device and one hand for each needle. The simulation is the loop's until it is disposed.
-  public Loop(Simulation simulation, LoopConfig config, Device[] devices, Hand[] hands) {
+  // One device and one hand for each needle, and one guard, or null: what each device says of
+  // itself. The simulation is the loop's until it is disposed.
+  public Loop(Simulation simulation, LoopConfig config, Device[] devices, Hand[] hands,
+              GuardConfig[] guards = null) {
     int needles = simulation.Inputs.Length;
-    if (devices.Length != needles || hands.Length != needles) {
-      throw new ArgumentException("expected " + needles + " devices and hands, one a needle");
+    if (devices.Length != needles || hands.Length != needles ||
+        (guards != null && guards.Length != needles)) {
+      throw new ArgumentException("expected " + needles +
+                                  " devices, hands and guards, one a needle");
     }
-    handle = Create(simulation.Handle, config, devices, hands);
+    handle = Create(simulation.Handle, config, devices, hands, guards);
     Outputs = new Output[needles];
     Hands = new HandReport[needles];
     Vertices = new Vec3[simulation.Vertices.Length];
@@ -64,28 +68,25 @@ public sealed unsafe class Loop : IDisposable {
   }
 
   static LoopHandle Create(SimulationHandle simulation, LoopConfig config, Device[] devices,
-                           Hand[] hands) {
-    var handles = new IntPtr[devices.Length];
-    int held = 0;
-    try {
-      for (bool done = false; held < devices.Length; ++held, done = false) {
-        devices[held].Handle.DangerousAddRef(ref done);
-        handles[held] = devices[held].Handle.DangerousGetHandle();
-      }
+                           Hand[] hands, GuardConfig[] guards) {
+    DeviceHandle[] handles = Array.ConvertAll(devices, each => each.Handle);
+    return LibraryHandle.WithAll(handles, pointers => {
       Refusal why = StyletException.Empty();
       LoopHandle loop;
-      fixed (IntPtr* all = handles)
-      fixed (Hand* hand = hands) {
-        StyletException.Check(Native.stylet_loop_create(simulation, ref config, all, hand,
-                                                        IntPtr.Zero, out loop, ref why), ref why);
+      fixed (IntPtr* all = pointers)
+      fixed (Hand* hand = hands)
+      fixed (GuardConfig* guard = guards) {
+        StyletException.Check(Native.stylet_loop_create(simulation, ref config, all, hand, guard,
+                                                        out loop, ref why), ref why);
       }
-      foreach (Device each in devices) each.Handle.SetHandleAsInvalid();  // the loop's now
+      foreach (DeviceHandle each in handles) each.SetHandleAsInvalid();  // the loop's now
       return loop;
-    } finally {
-      while (--held >= 0) devices[held].Handle.DangerousRelease();
-    }
+    });
   }
 
+  // In this thread, until its ticks are done or another thread stops it.
+  public void Run() { StyletException.Check(Native.stylet_loop_run(handle)); }
+  // In a thread of its own.
   public void Start() { StyletException.Check(Native.stylet_loop_start(handle)); }
   public void Stop() {
     Native.stylet_loop_ask_to_stop(handle);
@@ -129,14 +130,10 @@ public sealed unsafe class Loop : IDisposable {
     return report;
   }
   // What this machine refused, once the loop has ended; empty: nothing.
-  public string Lacks() {
-    bool held = false;  // also while the text is read, which is the loop's
-    try {
-      handle.DangerousAddRef(ref held);
-      return Marshal.PtrToStringAnsi(Native.stylet_loop_lacks(handle));
-    } finally {
-      if (held) handle.DangerousRelease();
-    }
+  public string Lacks() { return handle.TextOf(() => Native.stylet_loop_lacks(handle)); }
+  // Why a needle's device does not answer; empty: it does.
+  public string Trouble(int needle) {
+    return handle.TextOf(() => Native.stylet_loop_trouble(handle, (uint)needle));
   }
 
   // Stops it first: another thread may wait for its end, and is in the library until then.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions and structs of stylet.h and stylet_loop.h that the classes of this package use, as
-// they are there: plain data, the same order, nothing is copied or converted on the way.
+// The functions and structs of stylet.h and stylet_loop.h, as they are there: plain data, the same
+// order, nothing is copied or converted on the way. Those for hosts that own all memory, that lend
+// threads or write a device of their own (README.md) no class of this package uses.
 using System;
 using System.Runtime.InteropServices;
 
@@ -45,6 +46,64 @@ public struct Needle {
   public uint hub;
   public float bore_radius_m, opening_m, filling_pa_s, plunger_radius_m, plunger_friction_n;
   public float syringe_m3, syringe_filled, syringe_gas_m3;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Material {
+  public uint struct_bytes;
+  public float density_kg_per_m3;
+  internal IntPtr name, source;  // as long as the organ: Organ.NameOf is its text
+  public float youngs_modulus_pa, poisson_ratio, relaxing_fraction, relaxation_time_s;
+  public float puncture_force_n, cutting_force_n, recut_fraction;
+  public float coulomb_friction_n_per_m, static_friction_n_per_m;
+  public float stribeck_velocity_m_per_s, viscous_friction_n_s_per_m2;
+  public float puncture_velocity_exponent, membrane_n_per_m, strain_stiffening;
+  public float fracture_toughness_j_per_m2, toughness_velocity_exponent;
+  public float needle_friction_coefficient;
+  public float fluid_pressure_pa, fluid_conductance_m3_per_pa_s, fluid_viscosity_pa_s;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Voxel {
+  public ushort x, y, z;
+  public byte material, fixed_corners;  // bit i: corner i is held, corner dx + 2 dy + 4 dz
+  public float fill;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct ConstraintParticle {
+  public Vec3 position_m, goal_m, force_on_needle_n;
+  public float arc_length_m;
+  public uint is_tip, needle;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct ObstacleTouch {
+  public Vec3 position_m, normal, force_on_needle_n;
+  public uint obstacle, needle;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Pool {
+  public uint used, used_max, capacity;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Stats {
+  public uint struct_bytes, filter_passes;
+  public ulong ticks;
+  public Pool constraint_particles, coupled_voxels, tracks, obstacle_contacts;
+  public ulong input_not_finite, input_clamped, input_missing;
+  public ulong cp_pool_full, cp_voxel_pool_full, contact_budget, fault;
+  public ulong obstacle_pool_full, needle_unstable;
+  public float coupling_shortfall, unit_in_voxels;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Energy {
+  public uint struct_bytes, reserved;
+  public double elastic_j, kinetic_j, coupling_j, bending_j, work_by_hand_j;
+  public double friction_j, cutting_j, relaxation_j, obstacles_j;
 }
 
 [StructLayout(LayoutKind.Sequential)]
@@ -96,6 +155,43 @@ public unsafe struct Obstacle {
 }
 
 [StructLayout(LayoutKind.Sequential)]
+public struct GuardConfig {
+  public uint struct_bytes;
+  public float period_s, max_force_n, max_slew_n_per_s, ramp_s, watchdog_s, max_speed_m_per_s;
+  public float buzz_n, continuous_force_n, thermal_s;
+  public int dead_man_button, acknowledge_button;
+  public float device_mass_kg, device_damping_n_s_per_m, device_friction_n;
+  public float device_resolution_m, device_delay_s;
+  public float stored_energy_j, passivity_damping_n_s_per_m, max_torque_nm;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct Sample {
+  public uint struct_bytes, buttons;
+  public ulong seq;
+  public long t_ns;
+  public Pose pose;
+  public float plunger_n;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct MotorReport {
+  public Vec3 force_n, torque_nm;
+  public uint arming, stopped;
+}
+
+[StructLayout(LayoutKind.Sequential)]
+public struct GuardReport {
+  public uint struct_bytes, mode, fault, fault_number, arming, falls;
+  public Vec3 force_n, torque_nm;
+  public double energy_j;
+  public ulong samples_used, samples_missing, samples_repeated, samples_lost, samples_old;
+  public ulong samples_not_finite, samples_absurd, samples_jumped;
+  public ulong force_not_finite, force_limited, slew_limited, force_warm, force_damped;
+  public ulong faults, rearms;
+}
+
+[StructLayout(LayoutKind.Sequential)]
 public struct LoopConfig {
   public uint struct_bytes;
   public int processor, priority;
@@ -143,10 +239,11 @@ internal static unsafe class Native {
   // `fixed` gives an empty array no address, and the library would take it for a forgotten one.
   internal static byte[] Placed(byte[] bytes) { return bytes.Length > 0 ? bytes : new byte[1]; }
 
+  [DllImport(kLibrary)] internal static extern uint stylet_version();
   [DllImport(kLibrary)] internal static extern IntPtr stylet_version_text();
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_build_text();
+  [DllImport(kLibrary)] internal static extern ulong stylet_state_layout();
   [DllImport(kLibrary)] internal static extern IntPtr stylet_status_name(ushort status);
-  [DllImport(kLibrary)] internal static extern IntPtr stylet_event_name(uint kind);
-  [DllImport(kLibrary)] internal static extern IntPtr stylet_fault_name(uint fault);
 
   [DllImport(kLibrary)] internal static extern ushort stylet_organ_read(
       [MarshalAs(UnmanagedType.LPStr)] string path, out OrganHandle organ, ref Refusal refusal);
@@ -155,6 +252,10 @@ internal static unsafe class Native {
   [DllImport(kLibrary)] internal static extern void stylet_organ_free(IntPtr organ);
   [DllImport(kLibrary)] internal static extern ushort stylet_organ_get_info(
       OrganHandle organ, ref OrganInfo info);
+  [DllImport(kLibrary)] internal static extern ushort stylet_organ_get_material(
+      OrganHandle organ, uint index, ref Material material);
+  [DllImport(kLibrary)] internal static extern uint stylet_organ_voxels(
+      OrganHandle organ, Voxel* voxels, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_triangles(
       OrganHandle organ, int* corners, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_vertices(
@@ -168,6 +269,9 @@ internal static unsafe class Native {
       ref Config config, UIntPtr bytes);
   [DllImport(kLibrary)] internal static extern ushort stylet_needle_init(
       ref Needle needle, UIntPtr bytes);
+  [DllImport(kLibrary)] internal static extern ushort stylet_needle_preset(
+      ref Needle needle, [MarshalAs(UnmanagedType.LPStr)] string name);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_needle_preset_name(uint index);
   [DllImport(kLibrary)] internal static extern ushort stylet_obstacle_init(
       ref Obstacle obstacle, UIntPtr bytes);
   [DllImport(kLibrary)] internal static extern ushort stylet_obstacle_box(
@@ -178,6 +282,14 @@ internal static unsafe class Native {
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_create(
       OrganHandle organ, ref Config config, Needle* needles, uint needle_count,
       out SimulationHandle simulation, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_bytes(
+      OrganHandle organ, ref Config config, Needle* needles, uint needle_count, out UIntPtr bytes,
+      ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_create_in(
+      OrganHandle organ, ref Config config, Needle* needles, uint needle_count, byte* memory,
+      UIntPtr bytes, out SimulationHandle simulation, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_clone(
+      SimulationHandle simulation, out SimulationHandle copy);
   [DllImport(kLibrary)] internal static extern void stylet_simulation_free(IntPtr simulation);
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_set_obstacles(
       SimulationHandle simulation, Obstacle* obstacles, uint count, ref Refusal refusal);
@@ -186,14 +298,33 @@ internal static unsafe class Native {
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_tick(
       SimulationHandle simulation, Input* inputs, uint input_count, Output* outputs,
       uint output_count);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_run(
+      SimulationHandle simulation, Input* inputs, Output* outputs, uint ticks);
   [DllImport(kLibrary)] internal static extern Pose stylet_pose_of_tip(
       Vec3 tip_m, Vec3 direction, float length_m);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_needles(
+      SimulationHandle simulation);
   [DllImport(kLibrary)] internal static extern uint stylet_simulation_surface(
       SimulationHandle simulation, Vec3* places, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_simulation_needle_shape(
       SimulationHandle simulation, uint needle, Vec3* places, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_particles(
+      SimulationHandle simulation, Vec3* moved_m, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_voxel_corners(
+      SimulationHandle simulation, uint* particles, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_constraint_particles(
+      SimulationHandle simulation, ConstraintParticle* particles, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_simulation_obstacle_touches(
+      SimulationHandle simulation, ObstacleTouch* touches, uint capacity);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_event_name(uint kind);
   [DllImport(kLibrary)] internal static extern uint stylet_simulation_events(
       SimulationHandle simulation, Happened* events, uint capacity);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_get_stats(
+      SimulationHandle simulation, ref Stats stats);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_get_energy(
+      SimulationHandle simulation, ref Energy energy);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_get_mass(
+      SimulationHandle simulation, uint material, out float real_kg, out float stepped_kg);
   [DllImport(kLibrary)] internal static extern ulong stylet_simulation_hash(
       SimulationHandle simulation);
   [DllImport(kLibrary)] internal static extern UIntPtr stylet_simulation_snapshot_bytes(
@@ -202,10 +333,52 @@ internal static unsafe class Native {
       SimulationHandle simulation, byte* bytes, UIntPtr count);
   [DllImport(kLibrary)] internal static extern ushort stylet_simulation_restore(
       SimulationHandle simulation, byte* bytes, UIntPtr count);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_simulation_difference(
+      SimulationHandle a, SimulationHandle b, out ulong index);
+  [DllImport(kLibrary)] internal static extern ushort stylet_simulation_set_helpers(
+      SimulationHandle simulation, uint helpers);
+  [DllImport(kLibrary)] internal static extern int stylet_simulation_help(
+      SimulationHandle simulation, uint looks);
+
+  [DllImport(kLibrary)] internal static extern ushort stylet_batch_create(
+      IntPtr* simulations, uint count, uint threads, out BatchHandle batch);
+  [DllImport(kLibrary)] internal static extern void stylet_batch_free(IntPtr batch);
+  [DllImport(kLibrary)] internal static extern uint stylet_batch_needles(BatchHandle batch);
+  [DllImport(kLibrary)] internal static extern ushort stylet_batch_run(
+      BatchHandle batch, Input* inputs, Output* outputs, uint ticks);
+
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_fault_name(uint fault);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_guard_mode_name(uint mode);
+  [DllImport(kLibrary)] internal static extern ushort stylet_guard_config_init(
+      ref GuardConfig config, UIntPtr bytes);
+  [DllImport(kLibrary)] internal static extern ushort stylet_guard_config_for(
+      ref GuardConfig config, [MarshalAs(UnmanagedType.LPStr)] string model);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_device_model(uint index);
+  [DllImport(kLibrary)] internal static extern ushort stylet_guard_create(
+      ref GuardConfig config, out GuardHandle guard, ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern void stylet_guard_free(IntPtr guard);
+  [DllImport(kLibrary)] internal static extern ushort stylet_guard_motor(
+      GuardHandle guard, ref MotorReport report);
+  [DllImport(kLibrary)] internal static extern int stylet_guard_sample(
+      GuardHandle guard, Sample* sample, long now_ns);
+  [DllImport(kLibrary)] internal static extern Vec3 stylet_guard_force(
+      GuardHandle guard, Vec3 force_n);
+  [DllImport(kLibrary)] internal static extern Vec3 stylet_guard_torque(
+      GuardHandle guard, Vec3 torque_nm);
+  [DllImport(kLibrary)] internal static extern int stylet_guard_end(
+      GuardHandle guard, long now_ns);
+  [DllImport(kLibrary)] internal static extern ushort stylet_guard_trip(
+      GuardHandle guard, uint fault);
+  [DllImport(kLibrary)] internal static extern int stylet_guard_rearm(
+      GuardHandle guard, uint fault_seen);
+  [DllImport(kLibrary)] internal static extern ushort stylet_guard_get_report(
+      GuardHandle guard, ref GuardReport report);
 
   [DllImport(kLibrary)] internal static extern ushort stylet_device_open(
       [MarshalAs(UnmanagedType.LPStr)] string uri, double patience_s, out DeviceHandle device,
       ref Refusal refusal);
+  [DllImport(kLibrary)] internal static extern ushort stylet_device_from_functions(
+      byte* functions, out DeviceHandle device, ref Refusal refusal);
   [DllImport(kLibrary)] internal static extern ushort stylet_device_simulated(
       float travel_m, float speed_m_per_s, float hold_s, out DeviceHandle device);
   [DllImport(kLibrary)] internal static extern void stylet_device_close(IntPtr device);
@@ -215,8 +388,9 @@ internal static unsafe class Native {
       ref Hand hand, UIntPtr bytes);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_create(
       SimulationHandle simulation, ref LoopConfig config, IntPtr* devices, Hand* hands,
-      IntPtr guards, out LoopHandle loop, ref Refusal refusal);
+      GuardConfig* guards, out LoopHandle loop, ref Refusal refusal);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_start(LoopHandle loop);
+  [DllImport(kLibrary)] internal static extern ushort stylet_loop_run(LoopHandle loop);
   [DllImport(kLibrary)] internal static extern void stylet_loop_ask_to_stop(LoopHandle loop);
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_wait(LoopHandle loop);
   [DllImport(kLibrary)] internal static extern void stylet_loop_free(IntPtr loop);
@@ -237,6 +411,8 @@ internal static unsafe class Native {
   [DllImport(kLibrary)] internal static extern ushort stylet_loop_get_report(
       LoopHandle loop, ref LoopReport report);
   [DllImport(kLibrary)] internal static extern IntPtr stylet_loop_lacks(LoopHandle loop);
+  [DllImport(kLibrary)] internal static extern IntPtr stylet_loop_trouble(
+      LoopHandle loop, uint needle);
 }
 
 }  // namespace Stylet

@@ -98,6 +98,19 @@ public sealed unsafe class Organ : IDisposable {
     }
     return materials;
   }
+  public Voxel[] Voxels() {
+    var voxels = new Voxel[Info.voxels];
+    fixed (Voxel* at = voxels) Native.stylet_organ_voxels(Handle, at, Info.voxels);
+    return voxels;
+  }
+  // By number, as VertexMaterials and an output's layer have it.
+  public Material Material(int index) {
+    var material = new Material { struct_bytes = (uint)sizeof(Material) };
+    StyletException.Check(Native.stylet_organ_get_material(Handle, (uint)index, ref material));
+    return material;
+  }
+  // Of a material of this organ.
+  public string NameOf(int index) { return Handle.TextOf(() => Material(index).name); }
   // False: the ray does not meet the surface at rest.
   public bool Raycast(Vec3 origin_m, Vec3 direction, out float distance_m) {
     return Native.stylet_organ_raycast(Handle, origin_m, direction, out distance_m) != 0;
@@ -128,6 +141,20 @@ public sealed unsafe class Simulation : IDisposable {
     StyletException.Check(Native.stylet_needle_init(ref needle, (UIntPtr)sizeof(Needle)));
     return needle;
   }
+  // A needle by its name, such as "22G-quincke", which bends; PresetNames has them all.
+  public static Needle Preset(string name) {
+    Needle needle = DefaultNeedle();
+    StyletException.Check(Native.stylet_needle_preset(ref needle, name));
+    return needle;
+  }
+  public static string[] PresetNames() {
+    var names = new System.Collections.Generic.List<string>();
+    for (uint i = 0;; ++i) {
+      IntPtr name = Native.stylet_needle_preset_name(i);
+      if (name == IntPtr.Zero) return names.ToArray();
+      names.Add(Marshal.PtrToStringAnsi(name));
+    }
+  }
   public static Obstacle Box(Vec3 half_m) {
     Obstacle obstacle = Sphere(0);
     StyletException.Check(Native.stylet_obstacle_box(ref obstacle, half_m));
@@ -156,6 +183,14 @@ public sealed unsafe class Simulation : IDisposable {
     Outputs = new Output[needles.Length];
     Vertices = new Vec3[organ.Info.vertices];
   }
+  Simulation(Simulation from) {
+    StyletException.Check(Native.stylet_simulation_clone(from.Handle, out Handle));
+    Inputs = (Input[])from.Inputs.Clone();
+    Outputs = (Output[])from.Outputs.Clone();
+    Vertices = new Vec3[from.Vertices.Length];
+  }
+  // A second simulation in the same state, which shares the organ.
+  public Simulation Clone() { return new Simulation(this); }
 
   // Before the first tick.
   public void SetObstacles(params Obstacle[] obstacles) {
@@ -177,6 +212,22 @@ public sealed unsafe class Simulation : IDisposable {
           Handle, given, (uint)Inputs.Length, told, (uint)Outputs.Length));
     }
   }
+  // Many ticks: inputs[tick * needles + needle]; the answers likewise.
+  public void Run(Input[] inputs, Output[] outputs) {
+    int needles = Inputs.Length;
+    if (inputs.Length % needles != 0 || outputs.Length != inputs.Length) {
+      throw new ArgumentException(inputs.Length + " inputs, " + outputs.Length +
+                                  " outputs: expected as many, of whole ticks of " + needles);
+    }
+    if (inputs.Length == 0) return;
+    inputs[0].struct_bytes = (uint)sizeof(Input);
+    outputs[0].struct_bytes = (uint)sizeof(Output);
+    fixed (Input* given = inputs)
+    fixed (Output* told = outputs) {
+      StyletException.Check(
+          Native.stylet_simulation_run(Handle, given, told, (uint)(inputs.Length / needles)));
+    }
+  }
   public void Reset() { StyletException.Check(Native.stylet_simulation_reset(Handle)); }
   // Writes the deformed surface into Vertices.
   public void Surface() {
@@ -196,6 +247,58 @@ public sealed unsafe class Simulation : IDisposable {
     fixed (Happened* at = Events) {
       return (int)Native.stylet_simulation_events(Handle, at, (uint)Events.Length);
     }
+  }
+  public static string EventName(uint kind) {
+    return Marshal.PtrToStringAnsi(Native.stylet_event_name(kind));
+  }
+  // How far each particle of the lattice is from its place at rest.
+  public Vec3[] Particles() {
+    var moved = new Vec3[Native.stylet_simulation_particles(Handle, null, 0)];
+    fixed (Vec3* at = moved) Native.stylet_simulation_particles(Handle, at, (uint)moved.Length);
+    return moved;
+  }
+  // Eight particles for each voxel of the organ, corner dx + 2 dy + 4 dz.
+  public uint[] VoxelCorners() {
+    var corners = new uint[Native.stylet_simulation_voxel_corners(Handle, null, 0)];
+    fixed (uint* at = corners) {
+      Native.stylet_simulation_voxel_corners(Handle, at, (uint)corners.Length);
+    }
+    return corners;
+  }
+  public ConstraintParticle[] ConstraintParticles() {
+    uint all = Native.stylet_simulation_constraint_particles(Handle, null, 0);
+    var particles = new ConstraintParticle[all];
+    fixed (ConstraintParticle* at = particles) {
+      Native.stylet_simulation_constraint_particles(Handle, at, all);
+    }
+    return particles;
+  }
+  public ObstacleTouch[] ObstacleTouches() {
+    var touches = new ObstacleTouch[Native.stylet_simulation_obstacle_touches(Handle, null, 0)];
+    fixed (ObstacleTouch* at = touches) {
+      Native.stylet_simulation_obstacle_touches(Handle, at, (uint)touches.Length);
+    }
+    return touches;
+  }
+  public Stats Stats() {
+    var stats = new Stats { struct_bytes = (uint)sizeof(Stats) };
+    StyletException.Check(Native.stylet_simulation_get_stats(Handle, ref stats));
+    return stats;
+  }
+  public Energy Energy() {
+    var energy = new Energy { struct_bytes = (uint)sizeof(Energy) };
+    StyletException.Check(Native.stylet_simulation_get_energy(Handle, ref energy));
+    return energy;
+  }
+  // Of a material: its mass, and its mass in the step.
+  public void Mass(int material, out float real_kg, out float stepped_kg) {
+    StyletException.Check(Native.stylet_simulation_get_mass(Handle, (uint)material, out real_kg,
+                                                            out stepped_kg));
+  }
+  // Name of the first field of the state that differs; null: none does.
+  public string Difference(Simulation other, out ulong index) {
+    return Marshal.PtrToStringAnsi(
+        Native.stylet_simulation_difference(Handle, other.Handle, out index));
   }
   public ulong Hash() { return Native.stylet_simulation_hash(Handle); }
 

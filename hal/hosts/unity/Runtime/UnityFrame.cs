@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Between the organ's frame (right-handed, z up) and Unity's (left-handed, y up): y and z change
 // places. Triangles keep their corners: seen from outside they run clockwise then, as Unity wants
-// them. Compiled in Unity alone.
+// them. And what is drawn of organ and needle. Compiled in Unity alone.
 #if UNITY_2020_3_OR_NEWER
 using UnityEngine;
 
@@ -17,6 +17,37 @@ public static class UnityFrame {
   }
   public static void ToUnity(Vec3[] from, Vector3[] to) {
     for (int i = 0; i < to.Length; ++i) to[i] = ToUnity(from[i]);
+  }
+
+  // The needle's tip is where the object is, and points along its forward.
+  public static Pose PoseOfTip(Transform hand, Needle needle) {
+    return Simulation.PoseOfTip(FromUnity(hand.position), FromUnity(hand.forward),
+                                needle.length_m);
+  }
+  // The first `count` places of a needle.
+  public static void Draw(LineRenderer line, Vec3[] nodes, int count) {
+    line.positionCount = count;
+    for (int i = 0; i < count; ++i) line.SetPosition(i, ToUnity(nodes[i]));
+  }
+}
+
+// An organ's surface, deformed as a simulation or a loop says.
+public sealed class OrganMesh {
+  public readonly Mesh Mesh = new Mesh { indexFormat = UnityEngine.Rendering.IndexFormat.UInt32 };
+  readonly Vector3[] places;
+
+  public OrganMesh(Organ organ) {
+    places = new Vector3[organ.Info.vertices];
+    Mesh.MarkDynamic();
+    Show(organ.Vertices());
+    Mesh.triangles = organ.Triangles();
+    Mesh.RecalculateNormals();
+  }
+
+  public void Show(Vec3[] vertices) {
+    UnityFrame.ToUnity(vertices, places);
+    Mesh.vertices = places;
+    Mesh.RecalculateNormals();
   }
 }
 

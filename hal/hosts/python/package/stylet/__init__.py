@@ -13,10 +13,10 @@ The same poses give the same bits on every machine and with any number of thread
 """
 from stylet import _stylet
 from stylet._stylet import (
-    Organ, StyletError, build, constraint_particle_dtype, event_dtype, event_name, input_dtype,
-    obstacle_touch_dtype, output_dtype, pose_of_tip, state_layout, status_name, version,
-    voxel_dtype)
-from stylet.device import Device, Fault, Guard, GuardConfig, GuardMode, Hand, Loop, LoopConfig
+    Device, Organ, StyletError, build, constraint_particle_dtype, event_dtype, event_name,
+    input_dtype, obstacle_touch_dtype, output_dtype, pose_of_tip, state_layout, status_name,
+    version, voxel_dtype)
+from stylet.device import Fault, Guard, GuardConfig, GuardMode, Hand, Loop, LoopConfig
 from stylet.draws import Choice, LogNormal, LogUniform, Normal, Uniform, draw
 from stylet.environment import NeedleEnv, VectorNeedleEnv
 from stylet.fit import Fit, fit

@@ -4,13 +4,18 @@
 The loop runs in a thread of the library at its own period. Python takes what is newest; nothing
 that Python does is felt in the hand.
 """
+from __future__ import annotations
+
 import enum
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
 from stylet import _stylet
 from stylet._stylet import Device
-from stylet.simulation import rows_of
+from stylet.given import Array
+from stylet.simulation import rows_of, Simulation
 from stylet.structs import Struct, restored
 
 
@@ -62,7 +67,7 @@ class GuardConfig(Struct):
     max_torque_nm: float
 
     @classmethod
-    def for_model(cls, model, **fields):
+    def for_model(cls, model: str, **fields: Any) -> GuardConfig:
         """Of "touch", "omega.7" and so on: `_stylet.device_models()` lists them."""
         return restored(cls, _stylet.guard_config_for(model)).replace(**fields)
 
@@ -70,9 +75,15 @@ class GuardConfig(Struct):
 class Guard(_stylet.Guard):
     """For a device that is driven otherwise: each tick `sample`, then `force`, sent as it says."""
 
-    def __init__(self, config=None):
+    def __init__(self, config: GuardConfig | None = None) -> None:
         _stylet.refuse_second_init(self)
         super().__init__(*rows_of(GuardConfig() if config is None else config, GuardConfig))
+
+
+    def __repr__(self) -> str:
+        now = self.report()
+        return (f"<stylet.Guard: {GuardMode(now.mode).name}, fault {Fault(now.fault).name}, "
+                f"samples {now.samples_used}>")
 
 
 class LoopConfig(Struct):
@@ -93,14 +104,14 @@ class Hand(Struct):
     The device's axes are x right, y up, z toward the operator; the needle points along -z."""
     _defaults = _stylet.default_hand
     clutch_button: int
-    position_m: np.ndarray
-    rotation_wxyz: np.ndarray
+    position_m: Array
+    rotation_wxyz: Array
     motion_scale: float
     force_scale: float
     coupling_stiffness_n_per_m: float
 
     @classmethod
-    def at(cls, pose, **fields):
+    def at(cls, pose: Array, **fields: Any) -> Hand:
         """Begins at a pose of the needle's handle, such as `pose_of_tip` gives."""
         return cls(position_m=pose[:3], rotation_wxyz=pose[3:]).replace(**fields)
 
@@ -113,19 +124,28 @@ class Loop(_stylet.Loop):
     `surface` and `needle_shape` tell of the one that was taken last.
     """
 
-    def __init__(self, simulation, devices, hands, config=None, guards=()):
+    def __init__(self, simulation: Simulation, devices: Device | Iterable[Device],
+                 hands: Hand | Iterable[Hand], config: LoopConfig | None = None,
+                 guards: GuardConfig | Iterable[GuardConfig] = ()) -> None:
         _stylet.refuse_second_init(self)
         devices = [devices] if isinstance(devices, Device) else list(devices)
         super().__init__(simulation, devices, rows_of(hands, Hand), rows_of(guards, GuardConfig),
                          *rows_of(LoopConfig() if config is None else config, LoopConfig))
 
-    def __enter__(self):
+    def __repr__(self) -> str:
+        try:
+            now = self.report()
+        except RuntimeError:
+            return "<stylet.Loop: closed>"
+        return f"<stylet.Loop: {'runs' if now.runs else 'does not run'}, tick {now.ticks}>"
+
+    def __enter__(self) -> Loop:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
-    def acknowledge(self, needle=0):
+    def acknowledge(self, needle: int = 0) -> None:
         """Tells that somebody has seen the fault of a hand: the force may come back."""
         hand = self.hand(needle)
         self._acknowledge(needle, hand.fault, hand.fault_number)

@@ -4,15 +4,27 @@
 Source of the hypercube: McKay, Beckman and Conover 1979, A comparison of three methods for
 selecting values of input variables in the analysis of output from a computer code.
 """
+from __future__ import annotations
+
 import dataclasses
 import math
 import statistics
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from stylet.given import Array, count as count_of
 
 STANDARD_NORMAL = statistics.NormalDist()
 MOST_TURNS = 9.0  # standard deviations beyond which no draw of 53 bits is
 LEAST_SHARE = 2.0 ** -54
+
+
+class Distribution(Protocol):
+    def at(self, share: Array) -> Array:
+        """The number below which this share of the draws is."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,11 +33,11 @@ class Uniform:
     low: float
     high: float
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if not (math.isfinite(self.low) and math.isfinite(self.high) and self.low < self.high):
             raise ValueError(f"{self}: expected low below high")
 
-    def at(self, share):
+    def at(self, share: Array) -> Array:
         """The number below which this share of the draws is."""
         width = self.high - self.low
         number = (self.low + share * width if math.isfinite(width)
@@ -37,12 +49,12 @@ class Uniform:
 class LogUniform(Uniform):
     """Every ratio alike, from low to high, which are above 0."""
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         super().__post_init__()
         if not self.low > 0:
             raise ValueError(f"{self}: expected low above 0")
 
-    def at(self, share):
+    def at(self, share: Array) -> Array:
         ratio = self.high / self.low
         number = (self.low * ratio ** share if math.isfinite(ratio) else
                   np.exp((1 - share) * math.log(self.low) + share * math.log(self.high)))
@@ -57,7 +69,7 @@ class Normal:
     low: float = -math.inf
     high: float = math.inf
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if not (math.isfinite(self.mean) and 0 < self.deviation < math.inf
                 and self.low < self.high):
             raise ValueError(f"{self}: expected a deviation above 0, and low below high")
@@ -69,18 +81,18 @@ class Normal:
         if not below < above:
             raise ValueError(f"{self}: expected more between low and high than nothing")
 
-    def _upper(self):
+    def _upper(self) -> bool:
         """Whether all draws are above the mean. Shares are close together there; those of the other
         side, which are the same, have all their digits."""
         return self.low > self.mean
 
-    def _shares(self):
+    def _shares(self) -> list[float]:
         turns = [(end / 2 - self.mean / 2) / (self.deviation / 2) for end in (self.low, self.high)]
         if self._upper():
             turns = [-turns[1], -turns[0]]
         return [math.erfc(-each / math.sqrt(2)) / 2 for each in turns]
 
-    def at(self, share):
+    def at(self, share: Array) -> Array:
         below, above = self._shares()
         share = np.clip(share, LEAST_SHARE, 1 - LEAST_SHARE)
         shares = below + (1 - share if self._upper() else share) * (above - below)
@@ -98,7 +110,7 @@ class LogNormal:
     median: float
     ratio: float
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if not (0 < self.median < math.inf and 1 < self.ratio < math.inf):
             raise ValueError(f"{self}: expected a median above 0 and a ratio above 1")
         most, reach = np.finfo(float), MOST_TURNS * math.log(self.ratio)
@@ -106,37 +118,38 @@ class LogNormal:
                 and math.log(self.median) - reach > math.log(most.tiny)):
             raise ValueError(f"{self}: expected draws that are finite and above 0")
 
-    def at(self, share):
+    def at(self, share: Array) -> Array:
         return self.median * self.ratio ** Normal(0, 1).at(share)
 
 
 @dataclasses.dataclass(frozen=True)
 class Choice:
     """Each of these values alike."""
-    values: tuple
+    values: tuple[Any, ...]
 
-    def __init__(self, *values):
+    def __init__(self, *values: Any) -> None:
         if not values:
             raise ValueError("Choice: expected one value at least")
         object.__setattr__(self, "values", values)
 
-    def at(self, share):
+    def at(self, share: Array) -> Array:
         index = np.minimum((np.asarray(share) * len(self.values)).astype(int),
                            len(self.values) - 1)
         return np.asarray(self.values)[index]
 
 
-def draw(distributions, count, seed, plain=False):
+def draw(distributions: Mapping[str, Distribution], count: int, seed: int,
+         plain: bool = False) -> dict[str, Array]:
     """Columns of `count` draws by name, the same for the same seed, on every machine.
 
     A Latin hypercube: each distribution is divided into `count` parts of equal probability, and
     each has one draw, so that means are surer than those of `plain` draws, each by itself. A name's
     draws do not depend on what else is drawn."""
-    columns = {}
+    number, columns = count_of("count", count), {}
     for name, distribution in distributions.items():
         random = np.random.default_rng([seed, *name.encode()])
-        shares = random.random(count)
+        shares = random.random(number)
         if not plain:
-            shares = (random.permutation(count) + shares) / count
+            shares = (random.permutation(number) + shares) / number
         columns[name] = distribution.at(shares)
     return columns

@@ -7,27 +7,34 @@ latches a fault (`terminated`, -1), or after `most_steps` (`truncated`). Each st
 besides that the way that the tip came nearer, as a share of the whole way at the start: so an
 episode that ends in the target is worth 1 and the share of the way that it came.
 """
+from __future__ import annotations
+
 import math
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from stylet import _stylet
+from stylet._stylet import Organ
+from stylet.bases import Env, NEXT_STEP, VectorEnv
 from stylet.motion import moved
 from stylet.names import Flag
-from stylet.given import count, direction as unit, finite, positive, real
+from stylet.given import Array, Path, count, direction as unit, finite, positive, real
 from stylet.render import picture
-from stylet.scene import read_obstacles, scene_direction, scene_organ
+from stylet.scene import read_obstacles, scene_direction, scene_file, scene_organ
 from stylet.simulation import Simulation, VectorSimulation
 from stylet.spaces import Box, stacked
-from stylet.structs import Config, Needle
+from stylet.structs import Config, Needle, Obstacle
 from stylet.targets import Target, distance_to_segment_m, read_targets
 
 OBSERVATION = {"way_to_target_m": 3, "rotation_wxyz": 4, "force_n": 3, "torque_nm": 3,
                "depth_m": 1, "phase": 1}
 
 
-class NeedleEnv:
-    """One needle, held by a learner.
+class NeedleEnv(Env):
+    """One needle, held by a learner; a gymnasium.Env where Gymnasium is installed.
 
     An action is six numbers from -1 to 1: velocity of the handle along its own axes, in shares of
     `speed_m_per_s`, and about them, in shares of `turning_rad_per_s`. The needle points along the
@@ -35,11 +42,14 @@ class NeedleEnv:
     is True; nan or an infinity is refused, and nothing moves. An observation is OBSERVATION in a
     row.
     """
-    metadata = {"render_modes": ["rgb_array"], "render_fps": 50}
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 50}
 
-    def __init__(self, organ, targets, needle=None, config=None, direction=(0, 0, -1),
-                 start_m=0.01, scatter_m=0.0, ticks_of_step=20, most_steps=1000,
-                 speed_m_per_s=0.02, turning_rad_per_s=1.0, obstacles=(), render_mode=None):
+    def __init__(self, organ: Organ, targets: list[Target] | tuple[Target, ...] | Path,
+                 needle: Needle | None = None, config: Config | None = None,
+                 direction: ArrayLike = (0, 0, -1), start_m: float = 0.01, scatter_m: float = 0.0,
+                 ticks_of_step: int = 20, most_steps: int = 1000, speed_m_per_s: float = 0.02,
+                 turning_rad_per_s: float = 1.0, obstacles: Obstacle | Iterable[Obstacle] = (),
+                 render_mode: str | None = None) -> None:
         """`targets`: Targets, or a scene's file, of which they alone are taken (`of_scene` takes
         more of it). The line to the target has `direction`, and the tip starts `start_m` before the
         surface, or before the target if the line misses the organ; `scatter_m`: how far the line
@@ -71,25 +81,26 @@ class NeedleEnv:
         self.action_space = Box(-1.0, 1.0, (6,))
         self.observation_space = Box(-np.inf, np.inf, (sum(OBSERVATION.values()),))
         self.render_mode = render_mode
-        self.np_random = np.random.default_rng()
-        self._pose = None
-        self._output = None
+        self._pose: Any = None
+        self._output: Any = None
 
     @classmethod
-    def of_scene(cls, path, **options):
+    def of_scene(cls, path: Path, **options: Any) -> NeedleEnv:
         """In the organ of a scene's file, to its targets, along its approach, with its obstacles:
-        also such a file as stylet-organ writes for a patient's label map. Needle, configuration and
-        hand are not the scene's; `options` are those of NeedleEnv, and win."""
-        given = {"organ": scene_organ, "targets": read_targets, "obstacles": read_obstacles,
-                 "direction": scene_direction}
+        a scene of Stylet's by its name, such as "lumbar-puncture", or a file, also such as
+        stylet-organ writes for a patient's label map. Needle, configuration and hand are not the
+        scene's; `options` are those of NeedleEnv, and win."""
+        path = scene_file(path)
+        given: dict[str, Any] = {"organ": scene_organ, "targets": read_targets,
+                                 "obstacles": read_obstacles, "direction": scene_direction}
         return cls(**{**{name: of(path) for name, of in given.items() if name not in options},
                       **options})
 
-    def reset(self, *, seed=None, options=None):
+    def reset(self, *, seed: int | None = None,
+              options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
         """A new episode. With a seed, it and those that follow are the same each time. Options:
         "target", the name of the one to reach instead of one that is drawn."""
-        if seed is not None:
-            self.np_random = np.random.default_rng(seed)
+        super().reset(seed=seed)
         self.target = self._drawn_target((options or {}).get("target"))
         tip_m = self._start(self.target)
         self._pose = np.asarray(
@@ -100,22 +111,23 @@ class NeedleEnv:
         self._whole_way_m = self._distance_m = self._distance(self._output)
         return self._observation(), self._info()
 
-    def step(self, action):
+    def step(self, action: ArrayLike) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """Moves the handle for `ticks_of_step` ticks."""
         return self._answer(self.simulation.run(self._poses(finite("action", action, (6,)))))
 
-    def render(self):
+    def render(self) -> Array:
         """The organ, the needle and the targets from the side, as an array (height, width, 3)."""
         return picture(self.simulation, self.targets, self.direction)
 
-    def close(self):
-        pass
+    def __repr__(self) -> str:
+        return (f"<stylet.{type(self).__name__} in {self.organ!r}, targets "
+                f"{', '.join(target.name for target in self.targets)}>")
 
     # ---- halves of a step, between which the vector form runs all simulations at once
 
-    def _poses(self, action):
+    def _poses(self, action: Array) -> Array:
         if self._pose is None:
-            raise RuntimeError("reset before the first step")
+            raise RuntimeError("step: no episode has begun: expected a call of reset before")
         self._clipped = bool((np.abs(action) > 1).any())
         action = np.clip(action, -1, 1)
         poses = moved(self._pose, self.speed_m_per_s * action[:3],
@@ -123,7 +135,7 @@ class NeedleEnv:
         self._pose = poses[-1]
         return poses
 
-    def _answer(self, outputs):
+    def _answer(self, outputs: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         self._output = outputs[-1].copy()
         self._steps += 1
         before_m, self._distance_m = self._distance_m, self._distance(self._output)
@@ -137,7 +149,7 @@ class NeedleEnv:
 
     # ---- what an episode is made of
 
-    def _drawn_target(self, name):
+    def _drawn_target(self, name: str | None) -> Target:
         if name is None:
             return self._goals[int(self.np_random.integers(len(self._goals)))]
         for target in self._goals:
@@ -145,7 +157,7 @@ class NeedleEnv:
                 return target
         raise ValueError(f"target {name!r}: expected one of {[t.name for t in self._goals]}")
 
-    def _start(self, target):
+    def _start(self, target: Target) -> Array:
         """Where the tip begins: before the first surface on the line from far outside."""
         info = self.organ.info
         size_m = float(np.linalg.norm(np.subtract(info.high_m, info.low_m)))
@@ -155,7 +167,7 @@ class NeedleEnv:
         meets_m = 2 * size_m if meets_m is None else meets_m
         return far + (meets_m - self.start_m) * self.direction
 
-    def _scattered(self):
+    def _scattered(self) -> Array:
         """Uniform on a disc across the line; drawn also without scatter, so that the draws that
         follow are the same."""
         radius = self.scatter_m * math.sqrt(self.np_random.random())
@@ -165,56 +177,65 @@ class NeedleEnv:
         up = np.cross(right, self.direction)
         return radius * (math.cos(angle) * right + math.sin(angle) * up)
 
-    def _distance(self, output):
+    def _distance(self, output: Any) -> float:
         return float(np.linalg.norm(output["tip_m"] - np.asarray(self.target.at_m)))
 
-    def _touches(self):
+    def _touches(self) -> bool:
         return any(distance_to_segment_m(zone.at_m, self._pose[:3], self._output["tip_m"])
                    <= zone.radius_m for zone in self.targets if zone.forbidden)
 
-    def _observation(self):
+    def _observation(self) -> Array:
         out = self._output
         return np.concatenate([self.target.at_m - out["tip_m"], self._pose[3:], out["force_n"],
                                out["torque_nm"], [out["depth_m"], out["phase"]]]).astype(np.float32)
 
-    def _info(self):
+    def _info(self) -> dict[str, Any]:
         return {"target": self.target.name, "distance_m": self._distance_m,
                 "force_n": float(np.linalg.norm(self._output["force_n"])),
                 "flags": int(self._output["flags"]), "tick": int(self._output["tick"]),
                 "clipped": self._clipped}
 
 
-class VectorNeedleEnv:
-    """Environments of the same kind, whose simulations run at once.
+class VectorNeedleEnv(VectorEnv):
+    """Environments of the same kind, whose simulations run at once; a gymnasium.vector.VectorEnv
+    where Gymnasium is installed.
 
     An environment whose episode has ended ignores the next action and begins a new one, with
     reward 0, as Gymnasium's vector environments do ("NextStep")."""
 
-    def __init__(self, environments, threads=0):
+    def __init__(self, environments: Iterable[NeedleEnv], threads: int = 0) -> None:
         self.envs = list(environments)
         self.num_envs = len(self.envs)
-        if len({env.ticks_of_step for env in self.envs}) != 1:
-            raise ValueError("environments of one vector have the same ticks_of_step, and one is"
-                             " needed at least")
+        if not self.envs:
+            raise ValueError("environments: none: expected one at least")
+        lengths = [env.ticks_of_step for env in self.envs]
+        if len(set(lengths)) > 1:
+            raise ValueError(f"environments: ticks_of_step {lengths}: expected the same of all")
         self._batch = VectorSimulation([env.simulation for env in self.envs], threads)
-        self.metadata = {**NeedleEnv.metadata, "autoreset_mode": "NextStep"}
+        self.metadata = {**NeedleEnv.metadata, "autoreset_mode": NEXT_STEP}
+        self.render_mode = self.envs[0].render_mode
         self.single_action_space = self.envs[0].action_space
         self.single_observation_space = self.envs[0].observation_space
         self.action_space = stacked(self.single_action_space, self.num_envs)
         self.observation_space = stacked(self.single_observation_space, self.num_envs)
         self._ended = np.zeros(self.num_envs, bool)
 
-    def reset(self, *, seed=None, options=None):
+    def reset(self, *, seed: int | Sequence[int | None] | None = None,
+              options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Array]]:
         """Environment i gets seed + i, or the i-th of a list."""
-        seeds = [None] * self.num_envs if seed is None else seed
         if isinstance(seed, (int, np.integer)):
-            seeds = [int(seed) + i for i in range(self.num_envs)]
+            super().reset(seed=int(seed))
+            seed = [int(seed) + i for i in range(self.num_envs)]
+        seeds = [None] * self.num_envs if seed is None else seed
+        if len(seeds) != self.num_envs:
+            raise ValueError(f"seed = {seed}: expected one number, or one for each of "
+                             f"{self.num_envs} environments")
         self._ended[:] = False
         answers = [env.reset(seed=each, options=options) for env, each in zip(self.envs, seeds)]
         return np.stack([observation for observation, _ in answers]), columns(
             [info for _, info in answers])
 
-    def step(self, actions):
+    def step(self, actions: ArrayLike) -> tuple[Array, Array, Array, Array, dict[str, Array]]:
         # A new episode begins at tick 0, whatever ticks the batch makes of the old one before.
         actions = np.where(self._ended[:, None], 0, real("actions", actions, (self.num_envs, 6)))
         finite("actions", actions, actions.shape)  # all of them, before any environment moves
@@ -232,12 +253,19 @@ class VectorNeedleEnv:
         self._ended = terminated | truncated
         return np.stack(observations), np.array(rewards), terminated, truncated, columns(infos)
 
-    def render(self):
+    def __repr__(self) -> str:
+        return f"<stylet.{type(self).__name__} of {self.num_envs}: {self.envs[0]!r}>"
+
+    def render(self) -> tuple[Array, ...]:
         return tuple(env.render() for env in self.envs)
 
-    def close(self):
-        pass
+    def close_extras(self, **options: Any) -> None:
+        for env in self.envs:
+            env.close()
 
 
-def columns(infos):
-    return {name: np.array([info[name] for info in infos]) for name in infos[0]}
+def columns(infos: Sequence[dict[str, Any]]) -> dict[str, Array]:
+    """Of each name the values of all environments, and under `_name`, as Gymnasium has it, which of
+    them have one: all."""
+    out = {name: np.array([info[name] for info in infos]) for name in infos[0]}
+    return {**out, **{f"_{name}": np.ones(len(infos), bool) for name in out}}

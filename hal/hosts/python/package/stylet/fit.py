@@ -9,14 +9,18 @@ A place where the curve breaks is known to the distance of the points alone, and
 nothing of it. So each end of an interval is tried: where the curve differs less there than the
 Jacobian says, the end is sought at which it does differ.
 """
+from __future__ import annotations
+
 import dataclasses
 import math
 import statistics
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from stylet.draws import LogUniform, draw
-from stylet.given import finite, real
+from stylet.given import Array, finite, real
 
 MOST_STEPS = 40
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-2, 1e-9, 1e6
@@ -39,28 +43,39 @@ LOOKED_ALONG = 32   # places of a parameter in which the curve breaks
 MOST_BREAKS = 4     # as many times one leads on to another
 EXACT_FREEDOM = 300  # beyond it the series in 1 / freedom is right to 1e-8
 
+Simulate = Callable[[list[dict[str, float]]], ArrayLike]
+End = tuple[Array, Array, Array, bool]  # x, residuals, Jacobian, whether it was found
+
 
 @dataclasses.dataclass(frozen=True)
 class Fit:
     """What `fit` found. `values` by name; `low` and `high` hold each with the `confidence`."""
-    values: dict
-    low: dict
-    high: dict
+    values: dict[str, float]
+    low: dict[str, float]
+    high: dict[str, float]
     confidence: float
-    covariance: np.ndarray  # of the logarithms, in the order of `values`
-    sigma: float            # of the curve's points: as given, or as the residuals say
-    residuals: np.ndarray   # measured less simulated
+    # Of the logarithms, in the order of `values`.
+    covariance: Array = dataclasses.field(repr=False)
+    sigma: float  # of the curve's points: as given, or as the residuals say
+    residuals: Array = dataclasses.field(repr=False)  # measured less simulated
     converged: bool
-    search: object = dataclasses.field(repr=False)
+    search: Search = dataclasses.field(repr=False)
     allowed: float = dataclasses.field(repr=False)  # standard errors to either side
 
-    def profile(self, name):
+    def __str__(self) -> str:
+        """A line for each parameter, with its interval."""
+        return "\n".join(f"{name:18} {value:9.4g}, {100 * self.confidence:g} %: "
+                         f"{self.low[name]:.4g} to {self.high[name]:.4g}"
+                         for name, value in self.values.items())
+
+    def profile(self, name: str) -> tuple[float, float]:
         """Low and high by the profile: where the best fit of all others is worse by as much as the
         confidence allows. It needs no straight line, and many more simulations."""
         return self.search.profile(self, list(self.values).index(name))
 
 
-def fit(simulate, ranges, measured, sigma=None, confidence=0.95, starts=3):
+def fit(simulate: Simulate, ranges: Mapping[str, Sequence[float]], measured: ArrayLike,
+        sigma: ArrayLike | None = None, confidence: float = 0.95, starts: int = 3) -> Fit:
     """Finds the parameters whose simulated curve is nearest to the measured one.
 
     `simulate` takes a list of dicts of parameters, and returns a curve for each, as long as
@@ -83,7 +98,7 @@ def fit(simulate, ranges, measured, sigma=None, confidence=0.95, starts=3):
         raise ValueError(f"sigma of shape {deviation.shape}: expected one number, or one for each "
                          f"of {len(measured)} points")
     if not (np.isfinite(deviation) & (deviation > 0)).all():
-        raise ValueError(f"sigma = {sigma}: expected numbers above 0")
+        raise ValueError(f"sigma = {deviation}: expected numbers above 0")
     if isinstance(starts, bool) or not isinstance(starts, (int, np.integer)) or starts < 1:
         raise ValueError(f"starts = {starts!r}: expected a whole number from 1 on")
     allowed = quantile(confidence, np.inf if sigma is not None else len(measured) - len(ranges))
@@ -100,11 +115,12 @@ def fit(simulate, ranges, measured, sigma=None, confidence=0.95, starts=3):
 class Search:
     """The way down, in logarithms `x` of the parameters and residuals in standard deviations."""
 
-    def __init__(self, simulate, names, measured, deviation):
+    def __init__(self, simulate: Simulate, names: list[str], measured: Array,
+                 deviation: Array) -> None:
         self.simulate, self.names = simulate, names
         self.measured, self.deviation = measured, deviation
 
-    def residuals(self, points):
+    def residuals(self, points: Sequence[Array] | Array) -> Array:
         curves = np.asarray(self.simulate([dict(zip(self.names, map(float, np.exp(x))))
                                            for x in points]), float)
         wanted = (len(points), len(self.measured))
@@ -112,10 +128,10 @@ class Search:
             raise ValueError(f"simulate: curves of shape {curves.shape}: expected {wanted}")
         return (self.measured - curves) / self.deviation
 
-    def costs(self, points):
+    def costs(self, points: Sequence[Array] | Array) -> Array:
         return costs_of(self.residuals(points))
 
-    def slopes(self, x, free, ways):
+    def slopes(self, x: Array, free: Array, ways: Array) -> tuple[Array, Array]:
         """Residuals at x, and their derivatives by differences to both sides, or to that on which
         there is a curve."""
         aside = [way * np.eye(len(x))[i] for i, way in zip(free, ways)]
@@ -130,7 +146,7 @@ class Search:
         sides = np.where(first, ahead, here) - np.where(second, behind, here)
         return here, (sides / ((first * 1.0 + second) * np.asarray(ways)[:, None])).T
 
-    def down(self, x, free):
+    def down(self, x: Array, free: Array) -> End:
         """The nearest minimum over the free ones: x, residuals, Jacobian, whether it was found.
 
         Steps of several dampings are tried at once, as curves are best simulated together."""
@@ -154,11 +170,11 @@ class Search:
                 return x, here, jacobian, True
         return x, here, jacobian, False
 
-    def past_break(self, end, index, ends):
+    def past_break(self, end: End, index: int, ends: Array) -> End:
         """A better minimum, or the same: no slope leads past a place where the curve breaks. So
         such a parameter is looked at all over its range, and then closely where it was best."""
         for _ in range(2):
-            places = np.linspace(*ends, LOOKED_ALONG)
+            places = np.linspace(ends[0], ends[1], LOOKED_ALONG)
             points = np.tile(end[0], (LOOKED_ALONG, 1))
             points[:, index] = places
             costs = self.costs(points)
@@ -168,9 +184,10 @@ class Search:
             ends = end[0][index] + np.array([-1, 1]) * (places[1] - places[0])
         return end
 
-    def fit(self, starts, sigma, confidence, allowed, ranges):
+    def fit(self, starts: Array, sigma: ArrayLike | None, confidence: float, allowed: float,
+            ranges: Array) -> Fit:
         best = min((self.down(start, np.arange(len(start))) for start in starts),
-                   key=lambda end: end[1] @ end[1])
+                   key=lambda end: float(end[1] @ end[1]))
         told = self.told(best, sigma, allowed)
         for _ in range(MOST_BREAKS):
             before = best
@@ -186,14 +203,15 @@ class Search:
                    float(told.scale * np.mean(self.deviation)), residuals * self.deviation,
                    converged, self, allowed)
 
-    def told(self, best, sigma, allowed):
+    def told(self, best: End, sigma: ArrayLike | None, allowed: float) -> Told:
         x, residuals, jacobian, _ = best
         freedom = len(residuals) - len(x)
         scale = np.sqrt(residuals @ residuals / freedom) if sigma is None else 1.0
         covariance = scale ** 2 * covariance_of(jacobian)
         return Told(covariance, scale, *self.interval(best, covariance, scale, allowed))
 
-    def interval(self, best, covariance, scale, allowed):
+    def interval(self, best: End, covariance: Array, scale: float,
+                 allowed: float) -> tuple[Array, Sequence[int]]:
         """Low and high of each logarithm: by the Jacobian, or where the curve says otherwise; and
         for which parameters it does."""
         x, residuals, jacobian, _ = best
@@ -202,14 +220,14 @@ class Search:
         if not scale > 0:
             return ends, ()
 
-        def rises(points):
+        def rises(points: Sequence[Array]) -> Array:
             return np.sqrt(np.maximum(self.costs(points) - residuals @ residuals, 0)) / scale
         lone = idle(jacobian)
         breaks = set(np.flatnonzero(lone))
         tried = [(side, i, ways) for i in np.flatnonzero(np.isfinite(half) | lone)
                  for ways in (ways_of(i, half, covariance, lone[i]),) for side in (-1, 1)]
         points = [x + side * way for side, _, ways in tried for way in ways]
-        here = iter(rises(points) if points else ())
+        here = iter(rises(points) if points else np.zeros(0))
         for side, i, ways in tried:
             if min([next(here) for _ in ways]) < TRUSTED * allowed or lone[i]:
                 breaks.add(i)
@@ -218,7 +236,7 @@ class Search:
                     * way[i] for way in ways)
         return ends, sorted(breaks)
 
-    def profile(self, found, index):
+    def profile(self, found: Fit, index: int) -> tuple[float, float]:
         if not np.isfinite(found.covariance[index, index]):
             name = self.names[index]
             return found.low[name], found.high[name]
@@ -228,29 +246,30 @@ class Search:
         error = np.sqrt(found.covariance[index, index])
         best = found.residuals @ (found.residuals / self.deviation ** 2)
 
-        def rise(way):
+        def rise(way: float) -> float:
             at = x.copy()
             at[index] += way
             # Where the straight line says that the others would be.
             at[free] += found.covariance[free, index] / error ** 2 * way
             least = costs_of(self.down(at, free)[1]) if len(free) else self.costs([at])[0]
             return np.sqrt(max(least - best, 0)) / scale
-        return tuple(float(np.exp(x[index] + side * edge(
+        low, high = (float(np.exp(x[index] + side * edge(
             lambda way: rise(side * way), found.allowed * error, found.allowed, FAR)))
             for side in (-1, 1))
+        return low, high
 
 
 @dataclasses.dataclass(frozen=True)
 class Told:
     """What the best fit tells: of the logarithms, with those whose intervals the Jacobian gets
     wrong."""
-    covariance: np.ndarray
+    covariance: Array
     scale: float
-    ends: np.ndarray
-    breaks: tuple
+    ends: Array
+    breaks: Sequence[int]
 
 
-def ways_of(index, half, covariance, alone):
+def ways_of(index: int, half: Array, covariance: Array, alone: bool) -> tuple[Array, ...]:
     """To the upper end of an interval: along the line on which the Jacobian says that the others
     follow, and alone, since that may be wrong. Either is at most as long as the profile's."""
     if alone:
@@ -259,7 +278,7 @@ def ways_of(index, half, covariance, alone):
             half[index] * np.eye(len(half))[index])
 
 
-def edge(rise_at, first, allowed, most):
+def edge(rise_at: Callable[[float], float], first: float, allowed: float, most: float) -> float:
     """How far from the best fit the curve differs by as much as is allowed; beyond it, where it
     jumps. Infinite if up to `most` it does not."""
     inner, outer, at = 0.0, np.inf, first
@@ -278,19 +297,19 @@ def edge(rise_at, first, allowed, most):
     return outer
 
 
-def costs_of(residuals):
+def costs_of(residuals: Array) -> Array:
     """Sums of squares; that of a curve with numbers that are none is infinite."""
     squares = (residuals ** 2).sum(axis=-1)
     return np.where(np.isfinite(squares), squares, np.inf)
 
 
-def idle(jacobian):
+def idle(jacobian: Array) -> Array:
     """Which parameters have no effect on the curve by themselves."""
     effects = np.linalg.norm(jacobian, axis=0)
     return effects <= FLAT * effects.max()
 
 
-def covariance_of(jacobian):
+def covariance_of(jacobian: Array) -> Array:
     """Of the parameters, for residuals of deviation 1. The curve does not determine those that it
     follows FLAT times less than others, alone or together: their variance is infinite."""
     _, sizes, ways = np.linalg.svd(jacobian, full_matrices=False)
@@ -303,19 +322,19 @@ def covariance_of(jacobian):
     return covariance
 
 
-def step_of(normal, gradient, damping):
+def step_of(normal: Array, gradient: Array, damping: float) -> Array:
     """Marquardt's step, at most LONGEST_STEP for any parameter."""
     step = -np.linalg.lstsq(normal + damping * np.diag(np.diag(normal)), gradient, rcond=None)[0]
     return step * min(1, LONGEST_STEP / max(np.abs(step).max(), 1e-300))
 
 
-def errors_of(normal, residuals):
+def errors_of(normal: Array, residuals: Array) -> Array:
     """Standard errors as the curve's residuals say them."""
     variance = residuals @ residuals / max(len(residuals) - len(normal), 1)
     return np.sqrt(np.maximum(np.diag(np.linalg.pinv(normal)) * variance, 0))
 
 
-def quantile(confidence, freedom):
+def quantile(confidence: float, freedom: float) -> float:
     """How many standard errors to either side hold it: Student's t."""
     if not 0 < confidence < 1:
         raise ValueError(f"confidence = {confidence}: expected 0 to 1")
@@ -323,7 +342,8 @@ def quantile(confidence, freedom):
         low, high = 0.0, math.pi / 2
         for _ in range(60):  # to the last bit of an angle
             angle = (low + high) / 2
-            low, high = (angle, high) if share_within(angle, freedom) < confidence else (low, angle)
+            below = share_within(angle, int(freedom)) < confidence
+            low, high = (angle, high) if below else (low, angle)
         return math.tan(low) * math.sqrt(freedom)
     z = statistics.NormalDist().inv_cdf((1 + confidence) / 2)
     terms = ((z ** 3 + z) / 4, (5 * z ** 5 + 16 * z ** 3 + 3 * z) / 96,
@@ -331,7 +351,7 @@ def quantile(confidence, freedom):
     return z + sum(term / freedom ** (i + 1) for i, term in enumerate(terms))
 
 
-def share_within(angle, freedom):
+def share_within(angle: float, freedom: int) -> float:
     """What Student's t of whole degrees of freedom has within tan(angle) sqrt(freedom)."""
     odd, cosine = freedom % 2, math.cos(angle)
     term = cosine if odd else 1.0

@@ -2,11 +2,18 @@
 """Numbers that users give, before numpy makes something else of them: it takes None for nan, drops
 imaginary parts, and names lengths where a name would help."""
 import operator
+import os
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[Any]
+Path = str | os.PathLike[str]
 
 
-def real(name, value, shape=None, none="expected numbers"):
+def real(name: str, value: ArrayLike | None, shape: tuple[int, ...] | None = None,
+         none: str = "expected numbers") -> Array:
     """The value as an array of real numbers: whole numbers or floats of any size are taken as they
     are, anything else is refused by `name`. `shape`: that it must have. `none`: what to do instead
     of giving None."""
@@ -28,7 +35,7 @@ def real(name, value, shape=None, none="expected numbers"):
     return array
 
 
-def finite(name, value, shape):
+def finite(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
     """The same, where nan and infinities are refused too."""
     array = real(name, value, shape)
     if not np.isfinite(array).all():
@@ -36,7 +43,7 @@ def finite(name, value, shape):
     return array
 
 
-def positive(name, value):
+def positive(name: str, value: ArrayLike) -> float:
     """A number above 0, as a float."""
     value = float(finite(name, value, ()))
     if not value > 0:
@@ -44,7 +51,7 @@ def positive(name, value):
     return value
 
 
-def count(name, value):
+def count(name: str, value: Any) -> int:
     """A whole number of at least 1."""
     try:
         value = operator.index(value)
@@ -55,7 +62,7 @@ def count(name, value):
     return value
 
 
-def direction(name, value):
+def direction(name: str, value: ArrayLike) -> Array:
     """A direction as a vector of length 1."""
     array = finite(name, value, (3,)).astype(float)
     length = np.linalg.norm(array)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """h5py, loaded when a file is first read or written: simulations do not need it. pip could not even
 install what needs it beside Debian's, which has another name."""
+from typing import Any
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     try:
         import h5py
     except ModuleNotFoundError as error:

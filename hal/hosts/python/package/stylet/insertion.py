@@ -3,20 +3,24 @@
 import functools
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from stylet._stylet import Organ
-from stylet.given import direction as unit, finite, positive
+from stylet.given import Array, direction as unit, finite, positive
 from stylet.simulation import poses_of_tips
+from stylet.structs import Needle
 
 
 @functools.lru_cache(maxsize=8)
-def kept_organ(path):
+def kept_organ(path: str) -> Organ:
     """The organ in a file, read once in each process: for functions that sweep calls."""
     return Organ.read(path)
 
 
-def insertion_poses(organ, needle, through_m, direction, depth_m, speed_m_per_s, hold_s=0.0,
-                    retract=False, before_m=2e-3, period_s=1e-3):
+def insertion_poses(organ: Organ, needle: Needle, through_m: ArrayLike, direction: ArrayLike,
+                    depth_m: float, speed_m_per_s: float, hold_s: float = 0.0,
+                    retract: bool = False, before_m: float = 2e-3,
+                    period_s: float = 1e-3) -> Array:
     """Poses (ticks, 7) of a tip that moves along a line with constant speed: from `before_m` before
     the organ's surface to `depth_m` behind it, where it holds still, and back again.
 
@@ -30,6 +34,9 @@ def insertion_poses(organ, needle, through_m, direction, depth_m, speed_m_per_s,
     for name, value in (("depth_m", depth_m), ("speed_m_per_s", speed_m_per_s),
                         ("period_s", period_s)):
         positive(name, value)
+    for name, value in (("hold_s", hold_s), ("before_m", before_m)):
+        if finite(name, value, ()) < 0:
+            raise ValueError(f"{name} = {value}: expected 0 or more")
     step_m = speed_m_per_s * period_s
     ticks = int(np.ceil((before_m + depth_m) / step_m))
     along_m = np.minimum(np.arange(ticks + 1) * step_m - before_m, depth_m)

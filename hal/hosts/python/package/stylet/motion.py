@@ -5,9 +5,12 @@ Frames: the handle's, whose needle points along -z, and the world. Source: Kuipe
 Rotation Sequences, 1999.
 """
 import numpy as np
+from numpy.typing import ArrayLike
+
+from stylet.given import Array
 
 
-def product(a, b):
+def product(a: Array, b: Array) -> Array:
     """The rotation by b, then by a; quaternions w, x, y, z in the last axis."""
     aw, ax, ay, az = np.moveaxis(a, -1, 0)
     bw, bx, by, bz = np.moveaxis(b, -1, 0)
@@ -16,13 +19,13 @@ def product(a, b):
                     axis=-1)
 
 
-def rotated(q, v):
+def rotated(q: Array, v: Array) -> Array:
     """The vector, turned from the handle's axes to the world's."""
     around = product(product(q, np.array([0.0, *v])), q * [1, -1, -1, -1])
     return around[..., 1:]
 
 
-def turns(velocity_rad_per_s, times_s):
+def turns(velocity_rad_per_s: ArrayLike, times_s: ArrayLike) -> Array:
     """The rotations that a constant velocity has made at each time."""
     velocity = np.asarray(velocity_rad_per_s, float)
     speed = np.linalg.norm(velocity)
@@ -31,7 +34,8 @@ def turns(velocity_rad_per_s, times_s):
     return np.concatenate([np.cos(half)[:, None], np.sin(half)[:, None] * axis], axis=1)
 
 
-def moved(pose, velocity_m_per_s, turning_rad_per_s, period_s, ticks):
+def moved(pose: Array, velocity_m_per_s: ArrayLike, turning_rad_per_s: ArrayLike, period_s: float,
+          ticks: int) -> Array:
     """Poses (ticks, 7) of 64 bits that follow the pose with constant velocities in its axes."""
     rotations = product(pose[3:], turns(turning_rad_per_s, period_s * np.arange(ticks + 1)))
     # Of unit length to begin with each time, so that nothing adds up over an episode.

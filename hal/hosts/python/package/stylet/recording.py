@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `stylet run --record` wrote: every tick of a run, as arrays, curves, or a run once more."""
+from __future__ import annotations
+
 import math
+from typing import Any, NoReturn, TypeVar
 
 import numpy as np
 
 from stylet import _stylet
 from stylet import hdf5 as h5py
+from stylet._stylet import Organ
+from stylet.given import Array, Path
 from stylet.names import Event
 from stylet.simulation import Simulation
-from stylet.structs import Config, Needle, Obstacle
+from stylet.structs import Config, Needle, Obstacle, Struct
+
+Kind = TypeVar("Kind", bound=Struct)
 
 FORMAT = "stylet-recording"
 FORMAT_VERSION = 6  # hal/record/recording_format.h
@@ -30,10 +37,15 @@ SEEN = 1e-3  # of the largest force: less than a line is wide
 class Recording:
     """One file. `recording["output/force_n"]` is a column of the first needle; hal/record/README.md
     lists them. An unfinished recording (NAME.PROCESS.tmp) can be read, not replayed."""
+    scene_text: str
+    scene_file: str
+    organ_file: str
+    organ_name: str
+    stylet_version: str
 
-    def __init__(self, path):
+    def __init__(self, path: Path) -> None:
         self.path = str(path)
-        self._columns = {}
+        self._columns: dict[str, Array] = {}
         with self._file() as file:
             self._check(file)
             for name in ("scene_text", "scene_file", "organ_file", "organ_name", "stylet_version"):
@@ -55,7 +67,11 @@ class Recording:
             self.marks = [(int(tick), words) for tick, words in
                           (line.split("\t", 1) for line in lines)]
 
-    def _file(self):
+    def __repr__(self) -> str:
+        return (f"<stylet.Recording {self.path!r}: {self.ticks} ticks of {1e3 * self.period_s:g} ms"
+                f" in {self.organ_name!r}, needles {len(self.needles)}>")
+
+    def _file(self) -> Any:
         try:
             return h5py.File(self.path, "r")
         except FileNotFoundError:
@@ -63,14 +79,14 @@ class Recording:
         except OSError:
             return h5py.File(self.path, "r", swmr=True)  # that of a running or killed run
 
-    def _check(self, file):
+    def _check(self, file: Any) -> None:
         kind = text_of(file, "format") if "format" in file else ""
         version = int(file.attrs.get("format_version", 0))
         if kind != FORMAT or version != FORMAT_VERSION:
             raise ValueError(f"{self.path}: {kind or 'no recording'} {version}: expected {FORMAT} "
                              f"{FORMAT_VERSION}; record again")
 
-    def _whole_ticks(self, file):
+    def _whole_ticks(self, file: Any) -> int:
         """The ticks that all columns have: those of a file that grows differ by some rows."""
         told = int(file.attrs["ticks"])
         places = ["", *(f"needle{i}/" for i in range(1, len(self.needles)))]
@@ -83,35 +99,40 @@ class Recording:
         return min(rows)
 
     @property
-    def period_s(self):
+    def period_s(self) -> float:
         return self.config.period_s
 
     @property
-    def time_s(self):
+    def time_s(self) -> Array:
         """Since the start, at the end of each tick."""
         return self.period_s * np.arange(1, self.ticks + 1)
 
-    def column(self, name, needle=0):
+    def column(self, name: str, needle: int = 0) -> Array:
         """A column of one needle, a row a tick; read once."""
         if not 0 <= needle < len(self.needles):
             raise IndexError(f"{self.path}: needle {needle}: expected 0 to {len(self.needles) - 1}")
         place = name if needle == 0 else f"needle{needle}/{name}"
         if place not in self._columns:
             with self._file() as file:
+                group = place.rpartition("/")[0]
+                if place not in file or place == group:
+                    known = sorted(file[group]) if group in file else TICK_GROUPS
+                    raise KeyError(f"{self.path}: {place}: no such column: expected one of "
+                                   f"{', '.join(known)}")
                 self._columns[place] = file[place][:self.ticks]
         return self._columns[place]
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Array:
         return self.column(name)
 
-    def outputs(self, needle=0):
+    def outputs(self, needle: int = 0) -> Any:
         """The answers of all ticks, as `Simulation.run` returns them."""
         rows = np.zeros(self.ticks, _stylet.output_dtype)
-        for name in rows.dtype.names:
+        for name in _stylet.output_dtype.names or ():
             rows[name] = self.column(f"{'flow' if name in FLOW else 'output'}/{name}", needle)
         return rows.view(np.recarray)
 
-    def inputs(self):
+    def inputs(self) -> Array:
         """What the kernel got, as `Simulation.run` takes it: (ticks, needles)."""
         rows = np.empty((self.ticks, len(self.needles)), _stylet.input_dtype)
         rows["struct_bytes"] = _stylet.input_dtype.itemsize
@@ -121,12 +142,12 @@ class Recording:
             rows["plunger_n"][:, i] = self.column("flow/plunger_n", i)
         return rows
 
-    def force_n(self, cause=None, needle=0):
+    def force_n(self, cause: str | None = None, needle: int = 0) -> Array:
         """Force along the needle's course; positive resists the way in. `cause`: a part of it."""
         column = "output/force_n" if cause is None else f"output/{cause}_n"
         return -self.column(column, needle) @ self.directions[needle]
 
-    def replay(self, organ, check=True):
+    def replay(self, organ: Organ, check: bool = True) -> Simulation:
         """Runs all ticks once more, and returns the simulation as it is at the end.
 
         Raises ValueError if this is another organ, the recording is not whole, or the state at
@@ -145,7 +166,7 @@ class Recording:
                              f", recorded was {self.final_state_hash:016x}")
         return simulation
 
-    def plot(self, needle=0, figure=None):
+    def plot(self, needle: int = 0, figure: Any = None) -> Any:
         """Force by cause over time and over depth, in a figure of matplotlib, which it returns."""
         if figure is None:
             import matplotlib.pyplot  # only who plots needs it
@@ -168,11 +189,11 @@ class Recording:
         return figure
 
 
-def refuse(item, why):
+def refuse(item: Any, why: str) -> NoReturn:
     raise ValueError(f"{item.file.filename}: {item.name[1:]}: {why}")
 
 
-def text_of(file, name):
+def text_of(file: Any, name: str) -> str:
     text = file[name]
     kind = h5py.check_string_dtype(text.dtype)
     if text.shape != () or kind is None or not 0 < (kind.length or 0) <= MOST_TEXT_BYTES:
@@ -180,7 +201,7 @@ def text_of(file, name):
     return text[()].decode("utf-8").rstrip("\0")
 
 
-def stored_rows(column, whole=True):
+def stored_rows(column: Any, whole: bool = True) -> int:
     """For how many rows of a column the file holds numbers. It may claim more, which would be read
     as zeros for as long as there is memory: of a `whole` file that is refused."""
     row = math.prod(column.shape[1:])
@@ -198,7 +219,7 @@ def stored_rows(column, whole=True):
     return min(stored, len(column))
 
 
-def table(group, dtype, whole=True):
+def table(group: Any, dtype: Any, whole: bool = True) -> Array:
     """Columns of a group as the fields of a dtype; columns that it does not have are left out."""
     rows = np.zeros(min(stored_rows(column, whole) for column in group.values()), dtype)
     for name in dtype.names:
@@ -206,6 +227,6 @@ def table(group, dtype, whole=True):
     return rows
 
 
-def bodies(group, kind, dtype):
+def bodies(group: Any, kind: type[Kind], dtype: Any) -> list[Kind]:
     return [kind(**{name: row[name].tolist() for name in dtype.names})
             for row in table(group, dtype)]

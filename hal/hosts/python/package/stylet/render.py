@@ -1,6 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """A picture of an organ with a needle in it, drawn without a screen."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+from numpy.typing import ArrayLike
+
+from stylet.given import Array
+from stylet.simulation import Simulation
+
+if TYPE_CHECKING:
+    from stylet.targets import Target
 
 INK, NEEDLE, TARGET, FORBIDDEN = "#1d2733", "#1d2733", "#009e73", "#c24e00"
 SKIN = np.array([0.86, 0.62, 0.58])
@@ -8,7 +20,8 @@ SIZE_PX = (480, 480)
 SEE_THROUGH = 0.35  # share of light that the surface keeps back, so that needle and targets show
 
 
-def picture(simulation, targets=(), direction=(0, 0, -1)):
+def picture(simulation: Simulation, targets: Iterable[Target] = (),
+            direction: ArrayLike = (0, 0, -1)) -> Array:
     """The deformed surface, the needles and the targets as an array (height, width, 3) of bytes.
 
     Seen from the side, parallel, with `direction` downwards."""
@@ -46,12 +59,12 @@ def picture(simulation, targets=(), direction=(0, 0, -1)):
     return np.asarray(canvas.buffer_rgba())[:, :, :3].copy()
 
 
-def circle(middle, radius, colour):
+def circle(middle: Array, radius: float, colour: str) -> Any:
     from matplotlib.patches import Circle
     return Circle(middle, radius, facecolor="none", edgecolor=colour, linewidth=1.5)
 
 
-def axes_of(direction):
+def axes_of(direction: ArrayLike) -> tuple[Array, Array, Array]:
     """Right, down and away from who looks: down is the direction, and the three are at right
     angles."""
     down = np.asarray(direction, float) / np.linalg.norm(direction)

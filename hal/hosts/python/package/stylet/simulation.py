@@ -1,15 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Simulations of needles in an organ: one, or many at once."""
+from __future__ import annotations
+
 import copy
+from collections.abc import Iterable
+from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from stylet import _stylet
-from stylet.given import real
-from stylet.structs import Config, Needle, Obstacle
+from stylet._stylet import Organ
+from stylet.given import Array, real
+from stylet.structs import Config, Needle, Obstacle, Struct
+
+Own = TypeVar("Own", bound="Simulation")
 
 
-def rows_of(structs, kind):
+def rows_of(structs: Struct | Iterable[Struct], kind: type[Struct]) -> list[Array]:
     """The rows of one struct or several."""
     structs = [structs] if isinstance(structs, kind) else list(structs)
     for each in structs:
@@ -26,7 +34,9 @@ class Simulation(_stylet.Simulation):
     One thread at a time; the interpreter is free for others while ticks are computed.
     """
 
-    def __init__(self, organ, needles=None, config=None, obstacles=()):
+    def __init__(self, organ: Organ, needles: Needle | Iterable[Needle] | None = None,
+                 config: Config | None = None,
+                 obstacles: Obstacle | Iterable[Obstacle] = ()) -> None:
         _stylet.refuse_second_init(self)
         needles = Needle() if needles is None else needles
         config = Config() if config is None else config
@@ -34,23 +44,26 @@ class Simulation(_stylet.Simulation):
                          rows_of(obstacles, Obstacle))
         self.organ = organ
 
-    def clone(self):
+    def __repr__(self) -> str:
+        return f"<stylet.{type(self).__name__} in {self.organ!r}: needles {self.needles}>"
+
+    def clone(self: Own) -> Own:
         """A second simulation in the same state, which shares the organ."""
         other = type(self).__new__(type(self))
         _stylet.Simulation.__init__(other, self)
         vars(other).update(vars(self))  # also what a class of one's own has
         return other
 
-    def __copy__(self):
+    def __copy__(self: Own) -> Own:
         return self.clone()
 
-    def __deepcopy__(self, memo):
+    def __deepcopy__(self: Own, memo: dict[int, Any]) -> Own:
         other = self.clone()
         memo[id(self)] = other
         vars(other).update(copy.deepcopy(vars(self), memo))
         return other
 
-    def set_obstacles(self, obstacles):
+    def set_obstacles(self, obstacles: Obstacle | Iterable[Obstacle]) -> None:
         """Bodies fixed in the world, instead of those given before. Before the first tick only."""
         self._set_obstacles(rows_of(obstacles, Obstacle))
 
@@ -61,17 +74,21 @@ class VectorSimulation:
     `threads` is 0 for one on each processor. The results do not depend on it.
     """
 
-    def __init__(self, simulations, threads=0):
+    def __init__(self, simulations: Iterable[Simulation], threads: int = 0) -> None:
         self.simulations, self._threads = tuple(simulations), threads
         self._batch = _stylet.Batch(self.simulations, threads)
 
-    def __len__(self):
+    def __repr__(self) -> str:
+        return f"<stylet.VectorSimulation of {len(self)}, threads {self._threads}>"
+
+    def __len__(self) -> int:
         return len(self.simulations)
 
-    def __deepcopy__(self, memo):
+    def __deepcopy__(self, memo: dict[int, Any]) -> VectorSimulation:
         return type(self)(copy.deepcopy(self.simulations, memo), self._threads)
 
-    def run(self, poses, valid=None, out=None):
+    def run(self, poses: ArrayLike, valid: ArrayLike | None = None,
+            out: Array | None = None) -> Any:
         """Poses (simulations, ticks, needles, 7) give outputs (simulations, ticks, needles).
 
         Where there is one needle its axis may be left out. `out` is filled and returned."""
@@ -79,7 +96,7 @@ class VectorSimulation:
         return outputs.view(np.recarray) if out is None else outputs
 
 
-def inputs(poses, valid=True, plunger_n=0):
+def inputs(poses: ArrayLike, valid: ArrayLike = True, plunger_n: ArrayLike = 0) -> Array:
     """Poses (..., 7), and the force on a syringe's plunger at each, as an array of `input_dtype`,
     which simulations read where it lies."""
     poses = real("poses", poses, none="where a tick has no sample, say so in valid")
@@ -94,7 +111,7 @@ def inputs(poses, valid=True, plunger_n=0):
     return rows
 
 
-def poses_of_tips(tips_m, direction, length_m):
+def poses_of_tips(tips_m: ArrayLike, direction: ArrayLike, length_m: float) -> Array:
     """Poses (ticks, 7) whose unbent needle has its tip at each place and points in a direction."""
     tips_m = real("tips_m", tips_m).astype(np.float32, copy=False)
     if tips_m.ndim != 2 or tips_m.shape[1] != 3:

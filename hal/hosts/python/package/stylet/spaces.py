@@ -1,28 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
 """A space of numbers between two bounds, as Gymnasium has it: the part of it that learners use."""
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
+from numpy.typing import ArrayLike, DTypeLike
+
+from stylet.bases import BoxBase
 
 
-class Box:
-    """Arrays between `low` and `high`, which may be infinite."""
+class Box(BoxBase):
+    """Arrays between `low` and `high`, which may be infinite; a gymnasium.spaces.Box where
+    Gymnasium is installed. The same seed draws the same with and without it."""
 
-    def __init__(self, low, high, shape=None, dtype=np.float32, seed=None):
+    def __init__(self, low: ArrayLike, high: ArrayLike, shape: tuple[int, ...] | None = None,
+                 dtype: DTypeLike = np.float32, seed: int | None = None) -> None:
         shape = np.broadcast(low, high).shape if shape is None else tuple(shape)
-        self.low = np.broadcast_to(np.asarray(low, dtype), shape)
-        self.high = np.broadcast_to(np.asarray(high, dtype), shape)
-        if not (self.low <= self.high).all():
-            raise ValueError("low is above high")
-        self.shape, self.dtype = shape, np.dtype(dtype)
-        self.seed(seed)
+        low, high = (np.broadcast_to(np.asarray(bound, dtype), shape) for bound in (low, high))
+        if not (low <= high).all():
+            raise ValueError(f"low = {low}, high = {high}: expected low up to high")
+        super().__init__(low, high, shape, dtype, seed)
 
-    def seed(self, seed=None):
-        self._random = np.random.default_rng(seed)
-
-    def sample(self, seed=None):
+    def sample(self, mask: None = None, probability: None = None, *,
+               seed: int | None = None) -> np.ndarray:
         """Uniform between two bounds, exponential from one, normal without any."""
+        if mask is not None or probability is not None:
+            raise ValueError("a Box takes no mask and no probability")
         if seed is not None:
             self.seed(seed)
-        random, low, high = self._random, self.low.astype(float), self.high.astype(float)
+        random, low, high = self.np_random, self.low.astype(float), self.high.astype(float)
         below, above = np.isfinite(low), np.isfinite(high)
         # One of each for every number, so that a sample does not depend on the others' bounds.
         share, far, normal = (random.random(self.shape), random.exponential(size=self.shape),
@@ -33,22 +40,23 @@ class Box:
         drawn = np.where(~below & above, end - far, drawn)
         return drawn.astype(self.dtype).clip(self.low, self.high)
 
-    def contains(self, value):
+    def contains(self, value: Any) -> bool:
         value = np.asarray(value)
         return (value.shape == self.shape and np.can_cast(value.dtype, self.dtype)
                 and bool((value >= self.low).all() and (value <= self.high).all()))
 
     __contains__ = contains
 
-    def __eq__(self, other):
-        return (isinstance(other, Box) and self.shape == other.shape and self.dtype == other.dtype
-                and np.array_equal(self.low, other.low) and np.array_equal(self.high, other.high))
+    def __eq__(self, other: object) -> bool:
+        return (isinstance(other, BoxBase) and self.shape == other.shape
+                and self.dtype == other.dtype and np.array_equal(self.low, other.low)
+                and np.array_equal(self.high, other.high))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.dtype})"
 
 
-def stacked(box, count):
+def stacked(box: Box, count: int) -> Box:
     """The space of `count` of them, one a row."""
     return Box(np.tile(box.low, (count,) + (1,) * box.low.ndim),
                np.tile(box.high, (count,) + (1,) * box.high.ndim), dtype=box.dtype)

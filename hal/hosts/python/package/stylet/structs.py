@@ -4,40 +4,49 @@
 Fields have the names and defaults of stylet.h; another name is refused. Which values are accepted
 is known to the library alone, which refuses others when a simulation is made.
 """
+from __future__ import annotations
+
 import operator
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from stylet import _stylet
-from stylet.given import real
+from stylet.given import Array, real
 
 # Words that scenes use for numbers.
 WORDS = {"mode": ("physical", "paper"), "inertia": ("added_mass", "true_mass"),
          "hub": ("closed", "open", "syringe")}
 
 
+Own = TypeVar("Own", bound="Struct")
+
+
 class Struct:
     """One row of a dtype, whose fields are attributes."""
-    _defaults = None
+    _defaults: Callable[[], Array]
+    _row: Any
 
-    def __init__(self, **fields):
+    def __init__(self, **fields: Any) -> None:
         object.__setattr__(self, "_row", type(self)._defaults())
         for name, value in fields.items():
             setattr(self, name, value)
 
-    def _checked(self, name):
+    def _checked(self, name: str) -> None:
         if name not in self._row.dtype.names:
             raise AttributeError(f"{type(self).__name__} has no field {name}; it has "
                                  + ", ".join(self._row.dtype.names))
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
         self._checked(name)
         value = self._row[name][0]
         return value.copy() if value.ndim else value.item()
 
-    def __setattr__(self, name, value):
+    def __setattr__(self, name: str, value: Any) -> None:
         self._checked(name)
         if self._row.dtype[name].kind == "u":
             value = whole(name, value)
@@ -47,17 +56,18 @@ class Struct:
             value = real(name, value, self._row[name][0].shape)
         self._row[name][0] = value
 
-    def __eq__(self, other):
-        return type(other) is type(self) and bool((self._row == other._row).all())
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Struct) and type(other) is type(self) and bool(
+            (self._row == other._row).all())
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         values = [f"{name}={getattr(self, name)!r}" for name in self._row.dtype.names]
         return f"{type(self).__name__}({', '.join(values)})"
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[Any, ...]:
         return restored, (type(self), self._row)
 
-    def replace(self, **fields):
+    def replace(self: Own, **fields: Any) -> Own:
         """The same with other values in these fields."""
         made = restored(type(self), self._row)
         for name, value in fields.items():
@@ -65,13 +75,13 @@ class Struct:
         return made
 
 
-def restored(kind, row):
+def restored(kind: type[Own], row: Array) -> Own:
     made = kind.__new__(kind)
     object.__setattr__(made, "_row", row.copy())
     return made
 
 
-def whole(name, value):
+def whole(name: str, value: Any) -> int:
     """The value as a number without sign that 32 bits hold; numpy would take it modulo that."""
     if isinstance(value, str):
         words = WORDS.get(name, ())
@@ -96,9 +106,9 @@ class Config(Struct):
     surround_drag_per_s: float
     hourglass_weight: float
     paper_alpha: float
-    breathing_amplitude_m: np.ndarray
+    breathing_amplitude_m: Array
     breathing_period_s: float
-    gravity_m_per_s2: np.ndarray  # that the shape at rest does not have in it
+    gravity_m_per_s2: Array  # that the shape at rest does not have in it
 
 
 class Needle(Struct):
@@ -126,7 +136,7 @@ class Needle(Struct):
     syringe_gas_m3: float
 
     @classmethod
-    def preset(cls, name, **fields):
+    def preset(cls, name: str, **fields: Any) -> Needle:
         """The needle of this name, such as "22G-quincke"; it bends, unless bending_nm2 is 0."""
         names = _stylet.needle_presets()
         if name not in names:
@@ -138,27 +148,27 @@ class Obstacle(Struct):
     """A body that no needle enters: the convex hull of its vertices, grown by rounding_m."""
     _defaults = _stylet.default_obstacle
     vertex_count: int
-    position_m: np.ndarray
-    rotation_wxyz: np.ndarray
-    vertices_m: np.ndarray  # (64, 3), of which vertex_count are meant
+    position_m: Array
+    rotation_wxyz: Array
+    vertices_m: Array  # (64, 3), of which vertex_count are meant
     rounding_m: float
     stiffness_n_per_m: float
     largest_force_n: float
     friction: float
 
     @classmethod
-    def box(cls, half_m, **fields):
+    def box(cls, half_m: ArrayLike, **fields: Any) -> Obstacle:
         """A box from -half_m to half_m, about its own position."""
-        half_m = map(float, real("half_m", half_m, (3,)))
-        return restored(cls, _stylet.box_obstacle(*half_m)).replace(**fields)
+        x_m, y_m, z_m = map(float, real("half_m", half_m, (3,)))
+        return restored(cls, _stylet.box_obstacle(x_m, y_m, z_m)).replace(**fields)
 
     @classmethod
-    def sphere(cls, radius_m, **fields):
-        radius_m = float(real("radius_m", radius_m, ()))
-        return restored(cls, _stylet.sphere_obstacle(radius_m)).replace(**fields)
+    def sphere(cls, radius_m: ArrayLike, **fields: Any) -> Obstacle:
+        of = float(real("radius_m", radius_m, ()))
+        return restored(cls, _stylet.sphere_obstacle(of)).replace(**fields)
 
     @classmethod
-    def hull(cls, vertices_m, **fields):
+    def hull(cls, vertices_m: ArrayLike, **fields: Any) -> Obstacle:
         """The convex hull of at most 64 places."""
         vertices_m = real("vertices_m", vertices_m)
         places = np.zeros((64, 3), np.float32)

@@ -3,6 +3,8 @@
 
 Resumed from its file after anything that stopped it: only rows that are not done are run.
 """
+from __future__ import annotations
+
 import concurrent.futures
 import contextlib
 import ctypes
@@ -15,11 +17,14 @@ import signal
 import sys
 import time
 import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
 from stylet import _stylet
 from stylet import hdf5 as h5py
+from stylet.given import Array, Path
 
 SAVE_EVERY_S = 1.0  # what a kill may lose
 LEFT_OVER_S = 2.0   # processes of a sweep that was killed are gone by then
@@ -30,9 +35,14 @@ UNITS = {"m": "m", "mm": "mm", "m2": "m2", "m3": "m3", "s": "s", "ms": "ms", "ns
          "rad": "rad", "kg": "kg", "n": "N", "nm": "N m", "nm2": "N m2", "pa": "Pa",
          "kpa": "kPa", "j": "J", "hz": "Hz"}
 
+Function = Callable[..., Mapping[str, Any]]
+Answer = tuple[int, dict[str, Array] | None, str]  # a row's index, result and error
 
-def sweep(function, parameters, workers=None, client=None, path=None, attributes=None,
-          progress=None):
+
+def sweep(function: Function, parameters: Mapping[str, Any] | Iterable[Mapping[str, Any]],
+          workers: int | None = None, client: Any = None, path: Path | None = None,
+          attributes: Mapping[str, Any] | None = None,
+          progress: Callable[[int, int], object] | None = None) -> dict[str, Array]:
     """Calls function(**row) for each row, and returns a dict of columns.
 
     `parameters`: columns of one length by name, or a list of dicts. `function` returns a dict
@@ -73,14 +83,14 @@ def sweep(function, parameters, workers=None, client=None, path=None, attributes
 OWN_ATTRIBUTES = ("version", "function", "columns")
 
 
-def own(attributes):
+def own(attributes: Mapping[str, Any] | None) -> Mapping[str, Any]:
     for name in attributes or {}:
         if name in OWN_ATTRIBUTES:
             raise ValueError(f"attributes: {name}: sweep writes it itself: expected another name")
     return attributes or {}
 
 
-def name_of(function):
+def name_of(function: Any) -> str:
     """Its name with that of its module; a script's is its file's, run or imported."""
     while isinstance(function, functools.partial):
         function = function.func
@@ -93,7 +103,7 @@ def name_of(function):
 
 
 @contextlib.contextmanager
-def alone(path):
+def alone(path: Path | None) -> Iterator[None]:
     """While this lasts, no other sweep writes that table: two would each write over the other's
     rows. The lock is on a file beside it, as the table is replaced whenever it is saved, and ends
     with its process, however that ends."""
@@ -109,7 +119,7 @@ def alone(path):
 
 
 @contextlib.contextmanager
-def locked(lock, path):
+def locked(lock: str, path: Path) -> Iterator[None]:
     end = time.monotonic() + LEFT_OVER_S
     while True:
         with open(lock, "ab") as file:
@@ -133,14 +143,15 @@ def locked(lock, path):
                     fcntl.flock(file, fcntl.LOCK_UN)
 
 
-def is_still(path, file):
+def is_still(path: str, file: Any) -> bool:
     try:
         return os.path.samestat(os.stat(path), os.fstat(file.fileno()))
     except FileNotFoundError:
         return False
 
 
-def finished(function, table, todo, workers, client):
+def finished(function: Function, table: Table, todo: list[int], workers: int | None,
+             client: Any) -> Iterator[Answer]:
     """Each row's index, result and error, as it ends."""
     if client is None and workers == 0:
         for index in todo:
@@ -154,15 +165,15 @@ def finished(function, table, todo, workers, client):
         futures = {client.submit(attempt, function, table.row(i), pure=False): i for i in todo}
         for future in as_completed(futures):
             try:
-                answer = future.result()
-            except KilledWorker as error:  # by this row, again and again: not the others' fault
-                answer = None, f"KilledWorker: {error}"
+                result, error = future.result()
+            except KilledWorker as killed:  # by this row, again and again: not the others' fault
+                result, error = None, f"KilledWorker: {killed}"
             index = futures.pop(future)
             future.release()  # else Dask would run it again when the worker that ran it dies
-            yield index, *answer
+            yield index, result, error
 
 
-def require_importable(function):
+def require_importable(function: Function) -> None:
     """What cannot be sent to another process is known before the processes are there: their pool
     would wait for it for ever."""
     try:
@@ -172,25 +183,26 @@ def require_importable(function):
                         "top of a module; or workers=0") from None
 
 
-def in_processes(function, table, todo, workers):
+def in_processes(function: Function, table: Table, todo: list[int],
+                 workers: int | None) -> Iterator[Answer]:
     workers = workers or os.cpu_count() or 1
     while todo:
         left = set(todo)
-        for index, *answer in of_pool(function, table, todo, workers):
-            left.discard(index)
-            yield index, *answer
+        for answer in of_pool(function, table, todo, workers):
+            left.discard(answer[0])
+            yield answer
         todo = [index for index in todo if index in left]
         # A process ended. The rows that were under way are the first ones that have no answer, as
         # many as there are processes and places in their queue; each now runs in a pool of its own.
         under_way, todo = todo[:2 * workers + 1], todo[2 * workers + 1:]
         for index in under_way:
-            answer = None, "its process ended"
-            for _, *answer in of_pool(function, table, [index], 1):
+            answer = index, None, "its process ended"
+            for answer in of_pool(function, table, [index], 1):
                 pass
-            yield index, *answer
+            yield answer
 
 
-def of_pool(function, table, todo, workers):
+def of_pool(function: Function, table: Table, todo: list[int], workers: int) -> Iterator[Answer]:
     """Each row's index, result and error, of all rows, or until a process ends."""
     pool = concurrent.futures.ProcessPoolExecutor(workers, initializer=end_with_parent,
                                                   initargs=(os.getpid(),))
@@ -204,7 +216,7 @@ def of_pool(function, table, todo, workers):
         pool.shutdown(cancel_futures=True)
 
 
-def end_with_parent(parent):
+def end_with_parent(parent: int) -> None:
     """So that nobody computes on for a sweep that was killed (Linux: prctl, PR_SET_PDEATHSIG)."""
     prctl = getattr(ctypes.CDLL(None), "prctl", None)
     if prctl is not None:
@@ -213,7 +225,7 @@ def end_with_parent(parent):
             os._exit(1)
 
 
-def attempt(function, row):
+def attempt(function: Function, row: dict[str, Any]) -> tuple[dict[str, Array] | None, str]:
     """The row's result, or why there is none: one failure must not end thousands of others."""
     try:
         return {name: number_or_text(name, value)
@@ -222,7 +234,7 @@ def attempt(function, row):
         return None, told(error)
 
 
-def told(error):
+def told(error: BaseException) -> str:
     """A text that every file takes, whatever the error says of itself."""
     try:
         text = f"{type(error).__name__}: {error}"
@@ -231,7 +243,7 @@ def told(error):
     return text.encode("utf-8", "backslashreplace").decode().replace("\0", "\\0")
 
 
-def number_or_text(name, value):
+def number_or_text(name: str, value: Any) -> Array:
     array = np.asarray(value)
     if not isinstance(name, str) or array.dtype.kind not in "biufcUS":
         raise TypeError(f"result {name} = {value!r}: expected a name, and numbers or texts in an "
@@ -239,42 +251,48 @@ def number_or_text(name, value):
     return array
 
 
-def columns_of(parameters):
-    if not isinstance(parameters, dict):
+def columns_of(parameters: Mapping[str, Any] | Iterable[Mapping[str, Any]]) -> dict[str, Array]:
+    if not isinstance(parameters, Mapping):
         rows = list(parameters)
-        names = rows[0].keys() if rows else ()
-        if any(row.keys() != names for row in rows):
-            raise ValueError("parameters: every row needs the same names")
+        names = list(rows[0]) if rows else []
+        for i, row in enumerate(rows):
+            if row.keys() != rows[0].keys():
+                raise ValueError(f"parameters[{i}]: {', '.join(row)}: expected the names of the "
+                                 f"first row: {', '.join(names)}")
         parameters = {name: [row[name] for row in rows] for name in names}
     columns = {name: np.asarray(values) for name, values in parameters.items()}
     if len({len(column) for column in columns.values()}) > 1:
-        raise ValueError("parameters: columns of different lengths")
+        raise ValueError("parameters: " + ", ".join(
+            f"{name} has {len(column)}" for name, column in columns.items())
+            + ": expected columns of one length")
     return columns
 
 
 class Table:
     """Parameters and what is known of their results; the file appears as a whole or not at all."""
 
-    def __init__(self, parameters, path, attributes):
+    def __init__(self, parameters: dict[str, Array], path: Path | None,
+                 attributes: Mapping[str, Any]) -> None:
         self.parameters, self.path, self.attributes = parameters, path, attributes
         self.rows = len(next(iter(parameters.values()), ()))
         self.done = np.zeros(self.rows, bool)
         self.error = np.full(self.rows, "", object)
-        self.results, self.loaded = {}, ()
+        self.results: dict[str, Array] = {}
+        self.loaded: tuple[str, ...] = ()
         self.saved_at = time.monotonic()
         if path is not None and os.path.exists(path):
-            self.load()
+            self.load(path)
 
-    def row(self, index):
+    def row(self, index: int) -> dict[str, Any]:
         return {name: plain(column[index]) for name, column in self.parameters.items()}
 
-    def add(self, index, result, error):
+    def add(self, index: int, result: dict[str, Array] | None, error: str) -> None:
         if result and self.loaded and not any(name in self.loaded for name in result):
             raise ValueError(f"{self.path}: has the results {', '.join(self.loaded)}, and the "
                              f"function gives {', '.join(result)}: expected that which wrote it")
+        result = result or {}
         try:
-            columns = {name: self.with_room_for(name, value)
-                       for name, value in (result or {}).items()}
+            columns = {name: self.with_room_for(name, value) for name, value in result.items()}
         except ValueError as refused:
             columns, error = {}, told(refused)
         for name, column in columns.items():
@@ -285,7 +303,7 @@ class Table:
         if time.monotonic() - self.saved_at > SAVE_EVERY_S:
             self.save()
 
-    def with_room_for(self, name, value):
+    def with_room_for(self, name: str, value: Array) -> Array:
         """A first row of whole numbers must not round the others."""
         if name in self.parameters or name == "error":
             raise ValueError(f"result {name} has the name of another column")
@@ -307,12 +325,12 @@ class Table:
             wider[~self.done | (self.error != "")] = np.nan
         return wider
 
-    def columns(self):
+    def columns(self) -> dict[str, Array]:
         return {**self.parameters, **{name: column.astype(str) if column.dtype == object else column
                                       for name, column in self.results.items()},
                 "error": self.error.astype(str)}
 
-    def save(self):
+    def save(self) -> None:
         if self.path is None:
             return
         partial = f"{self.path}.{os.getpid()}.tmp"
@@ -326,20 +344,20 @@ class Table:
         os.replace(partial, self.path)
         self.saved_at = time.monotonic()
 
-    def load(self):
-        with h5py.File(self.path, "r") as file:
-            require_table(self.path, file)
+    def load(self, path: Path) -> None:
+        with h5py.File(path, "r") as file:
+            require_table(path, file)
             if "function" not in file.attrs:
-                raise ValueError(nameless(self.path, self.attributes["function"]))
+                raise ValueError(nameless(path, self.attributes["function"]))
             for name, value in self.attributes.items():
                 if not np.array_equal(file.attrs.get(name), value):
-                    raise ValueError(f"{self.path}: {name} is {file.attrs.get(name)}, and here "
+                    raise ValueError(f"{path}: {name} is {file.attrs.get(name)}, and here "
                                      f"{value}: expected the same")
             kept = {name: got(column) for name, column in file.get("parameters", {}).items()}
             same = kept.keys() == self.parameters.keys() and all(
                 np.array_equal(kept[name], self.parameters[name]) for name in kept)
             if not same:
-                raise ValueError(f"{self.path}: holds the results of other parameters")
+                raise ValueError(f"{path}: holds the results of other parameters")
             self.error = got(file["rows/error"]).astype(object)
             self.done = got(file["rows/done"]).astype(bool) & (self.error == "")
             for name, column in file.get("results", {}).items():
@@ -348,7 +366,7 @@ class Table:
             self.loaded = tuple(self.results)
 
 
-def require_table(path, file):
+def require_table(path: Path, file: Any) -> None:
     """A file that sweep left so, and nobody changed since: its list has all columns, each a row for
     each."""
     listed = file.attrs.get("columns")
@@ -371,7 +389,7 @@ def require_table(path, file):
             raise ValueError(f"{path}: column {name}: expected {rows} rows of numbers or texts")
 
 
-def nameless(path, function):
+def nameless(path: Path, function: str) -> str:
     """Tables of versions before functions had names in them: only who made it knows whose it is."""
     name = f"h5py.File({os.fspath(path)!r}, 'r+').attrs['function'] = {function!r}"
     return (f"{path}: does not say which function wrote it, as tables of earlier versions do not: "
@@ -379,12 +397,12 @@ def nameless(path, function):
             f"python3 -c {shlex.quote('import h5py; ' + name)}")
 
 
-def plain(value):
+def plain(value: Any) -> Any:
     """A number or text of Python's own, which every function takes."""
     return value.item() if isinstance(value, np.generic) else value
 
 
-def empty_column(rows, value):
+def empty_column(rows: int, value: Array) -> Array:
     """Room for such a value in every row; whole numbers keep their kind."""
     if value.dtype.kind in "US":
         return np.full((rows, *value.shape), "", object)
@@ -392,7 +410,7 @@ def empty_column(rows, value):
     return np.full((rows, *value.shape), missing, value.dtype)
 
 
-def put(file, place, column):
+def put(file: Any, place: str, column: Array) -> None:
     texts = column.dtype.kind in "UO"
     made = file.create_dataset(place, data=column.astype(object) if texts else column,
                                dtype=h5py.string_dtype() if texts else None)
@@ -400,7 +418,7 @@ def put(file, place, column):
         made.attrs["unit"] = unit_of(place)
 
 
-def unit_of(name):
+def unit_of(name: str) -> str:
     """The unit that ends a name, as in "N/m" for stiffness_n_per_m; empty if there is none."""
     words = name.rpartition("/")[2].split("_")
     first = len(words)
@@ -412,7 +430,7 @@ def unit_of(name):
     return f"{above or 1}/{below}" if below else above
 
 
-def read_table(path):
+def read_table(path: Path) -> tuple[dict[str, Array], dict[str, Any]]:
     """The columns in a file of sweep, and its attributes. The error of a row that has not been run
     yet says so."""
     with h5py.File(path, "r") as file:
@@ -422,6 +440,6 @@ def read_table(path):
         return {name: columns[name] for name in file.attrs["columns"]}, dict(file.attrs)
 
 
-def got(column):
+def got(column: Any) -> Array:
     texts = h5py.check_string_dtype(column.dtype) is not None
     return column.asstr()[:].astype(str) if texts else column[:]

@@ -6,30 +6,37 @@ They are places in the organ at rest: they do not move with the tissue.
 import dataclasses
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from stylet.given import Path, finite, positive
 from stylet.scene import read
 
 
 @dataclasses.dataclass(frozen=True)
 class Target:
     name: str
-    at_m: tuple
+    at_m: tuple[float, ...]
     radius_m: float
     forbidden: bool = False
 
 
-def read_targets(path):
+def read_targets(path: Path) -> list[Target]:
     """Those of a scene's file, in its order. Keys: hal/scene/README.md."""
     rows = read(path).get("targets", [])
-    targets = [Target(row["name"], tuple(1e-3 * float(x) for x in row["at_mm"]),
-                      1e-3 * float(row["radius_mm"]), bool(row.get("forbidden", False)))
-               for row in rows]
-    if not targets:
-        raise ValueError(f"{path}: no [[targets]]")
-    return targets
+    if not rows:
+        raise ValueError(f"{path}: no [[targets]]: expected one at least")
+    for i, row in enumerate(rows):
+        for key in ("name", "at_mm", "radius_mm"):
+            if key not in row:
+                raise ValueError(f"{path}: targets[{i}].{key}: missing: expected it in each")
+        finite(f"{path}: targets[{i}].at_mm", row["at_mm"], (3,))
+        positive(f"{path}: targets[{i}].radius_mm", row["radius_mm"])
+    return [Target(row["name"], tuple(1e-3 * float(x) for x in row["at_mm"]),
+                   1e-3 * float(row["radius_mm"]), bool(row.get("forbidden", False)))
+            for row in rows]
 
 
-def distance_to_segment_m(at_m, from_m, to_m):
+def distance_to_segment_m(at_m: ArrayLike, from_m: ArrayLike, to_m: ArrayLike) -> float:
     """How far a place is from a straight piece, such as the shaft."""
     at, start, way = (np.asarray(at_m, float), np.asarray(from_m, float),
                       np.subtract(to_m, from_m, dtype=float))

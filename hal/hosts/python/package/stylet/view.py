@@ -9,7 +9,7 @@ import sys
 from stylet.recording import Recording
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(prog="python3 -m stylet.view",
                                      description="Draws force by cause over time and depth.")
     parser.add_argument("file", help="recording of stylet run --record")

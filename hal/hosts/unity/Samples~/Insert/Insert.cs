@@ -12,60 +12,44 @@ public sealed class Insert : MonoBehaviour {
   public string device = "";
 
   Organ organ;
-  Simulation simulation;
+  Simulation simulation;  // null: the organ was refused, which Unity has written to its console
   Loop loop;
   Needle needle;
-  Mesh mesh;
-  Vector3[] places;
+  OrganMesh surface;
 
   void Start() {
     organ = new Organ(organFile.bytes);
-    needle = Simulation.DefaultNeedle();
-    needle.bending_nm2 = 0.02F;
+    surface = new OrganMesh(organ);
+    GetComponent<MeshFilter>().mesh = surface.Mesh;
+    needle = Simulation.Preset("18G");
     Config config = Simulation.DefaultConfig();
     config.period_s = device == "" ? Time.fixedDeltaTime / 10 : 1e-3F;
     simulation = new Simulation(organ, config, needle);
-    places = new Vector3[organ.Info.vertices];
-    UnityFrame.ToUnity(organ.Vertices(), places);
-    mesh = new Mesh { indexFormat = UnityEngine.Rendering.IndexFormat.UInt32 };
-    mesh.MarkDynamic();
-    mesh.vertices = places;
-    mesh.triangles = organ.Triangles();
-    GetComponent<MeshFilter>().mesh = mesh;
     if (device == "") return;
     Hand held = Loop.DefaultHand();
-    held.start = PoseOfHand();
+    held.start = UnityFrame.PoseOfTip(hand, needle);
     Device opened = device == "simulated" ? Device.Simulated(0.04F, 0.01F, 1) : new Device(device);
     loop = new Loop(simulation, Loop.DefaultConfig(), new[] { opened }, new[] { held });
     loop.Start();
   }
 
-  Pose PoseOfHand() {
-    return Simulation.PoseOfTip(UnityFrame.FromUnity(hand.position),
-                                UnityFrame.FromUnity(hand.forward), needle.length_m);
-  }
-
   void FixedUpdate() {  // without a device: ten ticks a fixed step, toward where the hand is
-    if (loop != null) return;
+    if (simulation == null || device != "") return;
     simulation.Inputs[0].valid = 1;
-    simulation.Inputs[0].handle = PoseOfHand();
+    simulation.Inputs[0].handle = UnityFrame.PoseOfTip(hand, needle);
     for (int i = 0; i < 10; ++i) simulation.Tick();
+    simulation.Surface();
+    surface.Show(simulation.Vertices);
+    UnityFrame.Draw(line, simulation.Nodes, simulation.NeedleShape(0));
   }
 
   void Update() {
-    if (loop != null && !loop.Take()) return;
-    if (loop == null) simulation.Surface();
-    UnityFrame.ToUnity(loop != null ? loop.Vertices : simulation.Vertices, places);
-    mesh.vertices = places;
-    mesh.RecalculateNormals();
-    int nodes = loop != null ? loop.NeedleShape(0) : simulation.NeedleShape(0);
-    Vec3[] shape = loop != null ? loop.Nodes : simulation.Nodes;
-    line.positionCount = nodes;
-    for (int i = 0; i < nodes; ++i) line.SetPosition(i, UnityFrame.ToUnity(shape[i]));
-    if (loop != null && loop.Hands[0].fault != 0) {
-      Debug.LogWarning(Loop.FaultName(loop.Hands[0].fault) + ": press space once seen");
-      if (UnityEngine.Input.GetKeyDown(KeyCode.Space)) loop.Acknowledge(0);
-    }
+    if (loop == null || !loop.Take()) return;
+    surface.Show(loop.Vertices);
+    UnityFrame.Draw(line, loop.Nodes, loop.NeedleShape(0));
+    if (loop.Hands[0].fault == 0) return;
+    Debug.LogWarning(Loop.FaultName(loop.Hands[0].fault) + ": press space once seen");
+    if (UnityEngine.Input.GetKeyDown(KeyCode.Space)) loop.Acknowledge(0);
   }
 
   void OnDestroy() {
