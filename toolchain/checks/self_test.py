@@ -13,6 +13,7 @@ import built  # noqa: E402
 import compile_times  # noqa: E402
 import coverage  # noqa: E402
 import drivers  # noqa: E402
+import fields  # noqa: E402
 import headers  # noqa: E402
 import links  # noqa: E402
 import loops  # noqa: E402
@@ -103,6 +104,23 @@ class Mutation(unittest.TestCase):
         self.assertIn("if (a >= b) c += 2; // 3 < 4", lines)
         self.assertIn("if (a < b) c -= 2; // 3 < 4", lines)
         self.assertFalse([line for line in lines if not line.endswith("3 < 4")], lines)
+
+
+class Fields(Sample):
+    def test_accepts_comments_behind_and_above(self):
+        self.write("a.h", "struct A {\n  int a;  // of one\n  // Of two.\n  int b, c;\n  float d[2];\n"
+                          "  struct B {\n    int e;  // of three\n  };\n"
+                          "  int f(int g) const { return g; }\n};\nint g;\n")
+        self.assertEqual(list(fields.faults([self.top])), [])
+
+    def test_refuses_a_field_without_any(self):
+        for above in ("", "  int a;  // of one\n", "  // Of one.\n  int a;\n\n"):
+            for field in ("std::uint32_t b, c;", "Vec3 b;", "const Side b[2];", "Field<int> b = {};"):
+                header = self.write("a.h", f"struct A {{\n{above}  {field}\n}};\n")
+                self.expect_one(fields.faults([header]), f"a.h:{2 + above.count(chr(10))}", field)
+
+    def test_refuses_nothing_found(self):
+        self.expect_one(fields.faults([self.top]), "no header")
 
 
 class Headers(Sample):
