@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A needle in an organ: Down pushes it in, Up pulls it out, 10 mm/s. The label shows the force.
-# With the environment variable STYLET_INSERT_LOG it goes 20 mm in by itself, writes tip and force of
-# every frame into that file, and ends.
+# With the environment variable STYLET_INSERT_LOG it goes 20 mm in by itself, writes the tip's place
+# and the force of every frame into that file, and ends.
 extends Spatial
 
 const Stylet = preload("res://stylet.gdns")
