@@ -38,7 +38,7 @@ inline Vec3 force_on_tissue(const Particle& p) {
 
 // The point of the needle's axis where that force acts: the spring's end, less the axial way.
 inline Vec3 grip(const Particle& p) {
-  return p.position_m - p.give_m;
+  return p.position_m - p.axial_way_m;
 }
 
 // Mean square of how the supports' residuals differ from their mean.
@@ -70,9 +70,9 @@ inline Residuals residuals(const Particle& p) {
 // Energy in a CP's spring, Maxwell branch and axial way; for a tip in contact see contact_energy.
 inline double spring_energy(const Particle& p, const Residuals& d) {
   const Vec3 lasting = d.residual_m - p.slack_m;
-  const float give = p.axial_fraction > 0
-                         ? (1 - p.axial_fraction) / p.axial_fraction * dot(p.give_m, p.give_m)
-                         : 0.0F;
+  const float give = p.axial_fraction > 0 ? (1 - p.axial_fraction) / p.axial_fraction *
+                                                dot(p.axial_way_m, p.axial_way_m)
+                                          : 0.0F;
   const float sum = dot(lasting, lasting) + d.spread_m2 + give;
   return 0.5 * static_cast<double>(p.stiffness_n_per_m * sum) + memory_energy(p);
 }
@@ -82,7 +82,7 @@ inline double spring_energy(const Particle& p) {
 
 // Slack: the axial way and the relaxed part of the spring; the rest of the residual pulls.
 inline void set_slack(Particle& p) {
-  p.slack_m = p.relaxing_fraction * p.memory_m + p.give_m;
+  p.slack_m = p.relaxing_fraction * p.memory_m + p.axial_way_m;
 }
 
 // For fresh tissue, which has not relaxed yet.
@@ -132,10 +132,10 @@ inline std::uint32_t heaviest(const Particle& p) {
 
 // The needle has turned: the axial way of a shaft CP lies along it, and turns with it. Its spring
 // is fixed to a point of the needle (grip); the turn moves it, and its torque pays for the energy.
-inline void turn_give(Particle& p, Vec3 direction) {
+inline void turn_axial_way(Particle& p, Vec3 direction) {
   if (p.axial_fraction == 0) return;
-  const float size_m = norm(p.give_m);
-  p.give_m = settle((dot(p.give_m, direction) < 0 ? -size_m : size_m) * direction);
+  const float size_m = norm(p.axial_way_m);
+  p.axial_way_m = settle((dot(p.axial_way_m, direction) < 0 ? -size_m : size_m) * direction);
   set_slack(p);
 }
 

@@ -32,7 +32,7 @@ struct Particle {                // a constraint particle
   Vec3 rest_m;                   // place in the rest frame; chooses the voxels
   Vec3 position_m;               // the needle's point that holds it
   Vec3 memory_m, memory_n;       // Maxwell branch: displacement and force, both lagged
-  Vec3 give_m;                   // axial way of the tissue, in addition to its way across
+  Vec3 axial_way_m;              // axial way of the tissue, in addition to its way across
   Vec3 slack_m;                  // residual at which the spring carries nothing
   Vec3 force_n;                  // on the tissue, from the last match
   float track_m;                 // track coordinate: length from the entry
