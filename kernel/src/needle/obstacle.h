@@ -77,7 +77,8 @@ struct ObstacleFace {
   bool goes_on;         // continues the contact of the last call
 };
 
-// From where a piece that touched nothing has come into a body: that side is its way out.
+// The side from which a piece that touched nothing has entered a body, and on which it leaves it
+// again.
 struct CameFrom {
   Vec3d seen;        // the direction out of the body when it was last seen; zero: it was not
   Segment before_m;  // else: where the piece's axis was before

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick leaves to the next one of a needle: its pose, what it touches and holds of the
-// tissue, and the holes it has made.
+// What a tick leaves to the next one about a needle: its pose, the obstacles that it touches, the
+// tissue that it holds, and the holes that it has made.
 //
 // Promise: plain structs, the same bytes on every machine. The arrays of them, and
 // who writes each, are in layout.h. Units: SI. Frames: rest (tissue without displacement) where a
