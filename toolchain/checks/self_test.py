@@ -614,6 +614,14 @@ class Tidy(Sample):
         found = list(self.faults())
         self.assertEqual(len(found), 2, found)
 
+    def test_refuses_files_and_constants_that_are_gone(self):
+        self.write("hal/room/a.h", APACHE + "constexpr int kHere = 1;\n")
+        self.write("hal/a.md", "`room/a.h`, `a.h`, `kHere`, `NAME_bench.cpp`\n")
+        self.assertEqual(list(self.faults()), [])
+        self.write("hal/a.md", "`kGone`\n\n`room/b.h`\n")
+        found = list(self.faults())
+        self.assertEqual(len(found), 2, found)
+
     def test_refuses_dead_links(self):
         self.write("hal/b.md", "# b\n")
         self.write("hal/a.md", "[b](b.md#b) [c](https://c.org/x)\n[gone](../gone.md)\n")

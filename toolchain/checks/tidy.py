@@ -142,6 +142,24 @@ def check_cited_tests(name, text, tests):
                 yield f"{name}:{number}: no test {cited}"
 
 
+CITED_FILE = re.compile(r"`[^`]*?([\w./-]+\.(?:h|cpp|py|sh|fbs|inc|cmake|mjs))\b[^`]*`")
+CITED_CONSTANT = re.compile(r"`(k[A-Z]\w+)`")
+UNCHECKED = {"CHANGELOG.md"}  # it tells of what was
+PLACEHOLDER = re.compile(r"NAME|X_|xyz|UpperCamel")
+
+
+def check_cited_names(name, text, files, constants):
+    """Faults: files and constants in code style that the repository does not have."""
+    for number, line in enumerate(text.splitlines(), 1):
+        for cited in CITED_FILE.findall(line):
+            wanted = "/" + cited.lstrip("./")
+            if not PLACEHOLDER.search(cited) and not any(path.endswith(wanted) for path in files):
+                yield f"{name}:{number}: no file {cited}"
+        for cited in CITED_CONSTANT.findall(line):
+            if cited not in constants and not PLACEHOLDER.search(cited):
+                yield f"{name}:{number}: no constant {cited}"
+
+
 def check_licence(name, lines):
     wanted = "GPL-3.0-or-later" if name.startswith("offline/") else "Apache-2.0"
     if not any(f"SPDX-License-Identifier: {wanted}" in line for line in lines[:2]):
@@ -200,6 +218,9 @@ def faults(repository):
              for test in TEST.findall(path.read_text())]
     yield from check_type_names(top)
     files = [path for folder in FOLDERS for path in sorted((top / folder).rglob("*"))]
+    paths = ["/" + path.relative_to(top).as_posix() for path in files]
+    constants = {found for path in files if path.suffix in {".h", ".cpp"}
+                 for found in re.findall(r"\bk[A-Z]\w+", path.read_text())}
     for path in files + sorted(top.glob("*.md")) + [top / "CMakeLists.txt"]:
         name = path.relative_to(top)
         if not path.is_file() or NOT_WRITTEN_HERE & set(name.parts):
@@ -223,6 +244,8 @@ def faults(repository):
                 yield from check_links(path, name, "\n".join(lines))
                 yield from check_cited(name, "\n".join(lines), sections)
                 yield from check_cited_letters(name, "\n".join(lines), requirements)
+                if name not in UNCHECKED:
+                    yield from check_cited_names(name, "\n".join(lines), paths, constants)
                 yield from check_cited_tests(name, "\n".join(lines), tests)
 
 
