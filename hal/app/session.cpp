@@ -49,8 +49,8 @@ void attach_devices(Session& s) {
   for (const hal::Hand& hand : s.scene.hands) {
     if (hand.device == "attached" && s.options.fast) {
       throw hal::SceneError(
-          fmt::format("{}: device.uri: {}: expected no --fast: a hand cannot be "
-                      "hurried",
+          fmt::format("{}: device.uri: {}: expected no --fast: a hand on a device moves in real "
+                      "time",
                       s.scene.file, hand.uri));
     }
     const std::int64_t period_ns = std::llround(static_cast<double>(s.scene.config.period_s) * 1e9);
