@@ -3,8 +3,9 @@
 # The tiers of checks; each includes the tiers before it. Exits 0 when everything passes.
 #
 #   fast    what CI runs: test.sh
-#   full    tests with the ctest label `full`; the fast tests again, with clang under the address
-#           and undefined-behaviour sanitizers, and with gcc under the thread sanitizer
+#   full    tests with the ctest label `full`; the tests of a needle in tissue with the kernel's
+#           assertions; the fast tests again, with clang under the address and undefined-behaviour
+#           sanitizers, and with gcc under the thread sanitizer
 #   night   tests with the ctest label `night`
 #
 # `full` and `night` continue after a failure, report at the end what passed and what failed, and
@@ -43,12 +44,20 @@ again() {
   run_tests "${short[@]}" "$@"
 }
 
+# Unlike the sanitizers' builds, which assert as well, this one is optimised: it leaves out no test.
+asserted() {
+  configure
+  compile needle_tests
+  run_tests "${short[@]}" -R '^(coupling|insertion)_'
+}
+
 labelled() { run_tests -L "^$1\$" --no-tests=ignore; }
 
 [ "$tier" != fast ] || exec "$root/toolchain/test.sh"
 "$root/toolchain/setup.sh" full
 part "fast tests" release "$root/toolchain/test.sh"
 part "full tests" release labelled full
+part "tests of a needle in tissue, with the kernel's assertions" invariants asserted
 # Left out: scripts, tests that choose their compilers themselves, and the longest tests, whose code
 # other tests run, too.
 scripts='check|rt_host|cross|rt\.determinism|fuzz\.short'

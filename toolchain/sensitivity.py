@@ -281,7 +281,7 @@ def broken_in(base, other):
     found = {"energy": float(new["least_j"]) < ENERGY_J <= float(old["least_j"]),
              "trembles": tremble > max(TREMBLE * size, 3 * float(old["tremble_n"])),
              "held": new["held"] > old["held"],
-             "strained": float(new["left_share"]) > LEFT >= float(old["left_share"])}
+             "strained": float(new["left_fraction"]) > LEFT >= float(old["left_fraction"])}
     return [name for name, is_broken in found.items() if is_broken]
 
 

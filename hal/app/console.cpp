@@ -210,7 +210,7 @@ class Console {
     console::ServerConfig config = server_config(options_.serve);
     if (!options_.fast) config.spared_processors = session_->processors;
     server_ = std::make_unique<console::ConsoleProcess>(config);
-    show_stage();
+    show_view();
     fmt::print("{}: console at {}\nCtrl-C ends it\n", options_.scene, server_->url());
     std::fflush(stdout);
     supervised_.ready();
@@ -279,25 +279,25 @@ class Console {
     display_->publish(session_->instance->kernel, records, 0, 0);
   }
 
-  void show_stage() {
-    auto stage = std::make_shared<console::SceneView>();
+  void show_view() {
+    auto view = std::make_shared<console::SceneView>();
     const hal::Scene& scene = session_->scene;
-    stage->scene = std::filesystem::path(scene.file).filename().string();
-    stage->scenes = scenes_;
-    stage->period_s = scene.config.period_s;
-    stage->organ = session_->organ;
-    stage->lattice = console::make_lattice(session_->organ->organ, session_->instance->kernel);
+    view->scene = std::filesystem::path(scene.file).filename().string();
+    view->scenes = scenes_;
+    view->period_s = scene.config.period_s;
+    view->organ = session_->organ;
+    view->lattice = console::make_lattice(session_->organ->organ, session_->instance->kernel);
     for (std::uint32_t i = 0; i < session_->sources.size(); ++i) {
       const hal::Hand& hand = scene.hands[i];
       const NeedleConfig& needle = scene.config.needle[i];
-      stage->needles.push_back({hand.uri.empty() ? hand.device : hand.uri, needle.length_m,
-                                needle.outer_radius_m, session_->sources[i].placement.course,
-                                hand.guard.max_force_n});
+      view->needles.push_back({hand.uri.empty() ? hand.device : hand.uri, needle.length_m,
+                               needle.outer_radius_m, session_->sources[i].placement.course,
+                               hand.guard.max_force_n});
     }
-    stage->obstacles = scene.obstacles;
-    stage->targets = scene.targets;
-    stage->display = display_;
-    server_->show(*stage);
+    view->obstacles = scene.obstacles;
+    view->targets = scene.targets;
+    view->display = display_;
+    server_->show(*view);
     become(console::Activity::Ready);
   }
 
@@ -411,7 +411,7 @@ class Console {
     }
     try {
       open((std::filesystem::path(folder_) / scene).string());
-      show_stage();
+      show_view();
     } catch (const std::exception& error) {
       server_->refuse(error.what());
     }

@@ -48,8 +48,8 @@ CLI::Option* add_recording(CLI::App& command, std::string& recording) {
 CLI::Option* add_serving(CLI::App& command, ServeOptions& options) {
   return command
       .add_option("--listen", options.listen,
-                  "Address of this machine at which others reach the page too, with a token that "
-                  "is printed (default: only this machine reaches it)")
+                  "Address of this machine at which other machines can open the page, with a token "
+                  "that is printed (default: only this machine can)")
       ->type_name("ADDRESS")
       ->check(CLI::ValidIPV4);
 }
@@ -64,8 +64,8 @@ void add_igtl(CLI::App& run, IgtlOptions& options) {
           ->type_name("PORT")
           ->check(cli::between(0, 65535));
   run.add_option("--igtl-listen", options.listen,
-                 "Address of this machine at which clients on other machines reach it (default: "
-                 "only clients on this machine do)")
+                 "Address of this machine at which clients on other machines can connect (default: "
+                 "only clients on this machine can)")
       ->type_name("ADDRESS")
       ->check(CLI::ValidIPV4)
       ->needs(igtl);
@@ -80,7 +80,7 @@ void add_run(CLI::App& program, RunOptions& options) {
       "  stylet run fig09-force-curve.toml --organ liver.organ --console\n"
       "With --console the page starts each attempt, also of other scenes in the same folder;\n"
       "--record out.h5 writes them to out-1.h5, out-2.h5 ...");
-  run.add_option("scene", options.scene, "Scene: a file (TOML), or a name of stylet scenes")
+  run.add_option("scene", options.scene, "Scene file (TOML), or a name that stylet scenes lists")
       ->type_name("FILE")
       ->required();
   add_organ(run, options.organ, "the scene's");
@@ -89,11 +89,12 @@ void add_run(CLI::App& program, RunOptions& options) {
       ->type_name("FILE");
   run.add_flag("--force", options.force, "Let --record overwrite a file that exists");
   run.add_option("--flight", options.flight,
-                 "Recording of the second before a fault: NAME-1.h5 of the first fault, NAME-2.h5 "
-                 "of the next ...")
+                 "Recording of the second before a fault: NAME-1.h5 for the first fault, NAME-2.h5 "
+                 "for the next, and so on")
       ->type_name("FILE")
       ->capture_default_str();
-  run.add_option("--mode", options.mode, "Rules of the needle, instead of the scene's")
+  run.add_option("--mode", options.mode,
+                 "Rules of the simulation, instead of the scene's: measured laws, or the paper's")
       ->type_name("MODE")
       ->check(CLI::IsMember({"physical", "paper"}));
   run.add_option("--duration-s", options.duration_s,
@@ -115,7 +116,7 @@ void add_run(CLI::App& program, RunOptions& options) {
       "Do not wait for the clock: the same results, bit for bit, as fast as the machine can");
   add_json(run, options.json, "one JSON object");
   run.add_flag("--allow-non-rt", options.allow_non_rt,
-               "Go on with a warning where the machine refuses real-time rights");
+               "Run, with a warning, even if the machine refuses real-time rights");
   options.serve.port = console::kDefaultPort;
   CLI::Option* console =
       run.add_flag(fmt::format("--console{{{}}}", console::kDefaultPort), options.serve.port,
@@ -130,7 +131,8 @@ void add_run(CLI::App& program, RunOptions& options) {
 }
 
 void add_playback(CLI::App& program, PlaybackOptions& options) {
-  CLI::App& play = *program.add_subcommand("console", "Play a recording on a page in a browser");
+  CLI::App& play =
+      *program.add_subcommand("console", "Play back a recording on a page in a browser");
   play.footer("Example: stylet console out.h5");
   add_recording(play, options.recording);
   add_organ(play, options.organ, "the one that the recording names");
@@ -143,9 +145,10 @@ void add_playback(CLI::App& program, PlaybackOptions& options) {
 
 void add_replay(CLI::App& program, ReplayOptions& options) {
   CLI::App& replay = *program.add_subcommand(
-      "replay", "Repeat a recording from its inputs: are the results the same, bit for bit?");
+      "replay", "Repeat a recording from its inputs, and compare the results bit for bit");
   replay.footer(
-      "Example: stylet replay out.h5\nExit codes: 0 the same results, bit for bit; 3 others");
+      "Example: stylet replay out.h5\nExit codes: 0 the same results, bit for bit; 3 other "
+      "results");
   add_recording(replay, options.recording);
   add_organ(replay, options.organ, "the one that the recording names");
   add_json(replay, options.json, "one JSON object");
@@ -209,13 +212,13 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
   add_organ(doctor, options.organ, "the one that the recording names")->needs(replay);
   doctor
       .add_option("--cpu", options.cpu,
-                  "Processor to look at, as loop.cpu of a scene (default: the one that the loop "
+                  "Processor to look at, like loop.cpu of a scene (default: the one that the loop "
                   "would choose)")
       ->type_name("NUMBER")
       ->check(cli::between(0, 1023));
   doctor
       .add_option("--priority", options.priority,
-                  "Priority to ask for, as loop.rt_priority of a scene")
+                  "Priority to test, like loop.rt_priority of a scene")
       ->type_name("NUMBER")
       ->check(cli::between(1, 99))
       ->capture_default_str();
@@ -259,7 +262,7 @@ CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& 
 
 void add_station(CLI::App& program, StationOptions& options) {
   CLI::App& station = *program.add_subcommand(
-      "station", "Hold, with a device here, a needle that another machine simulates");
+      "station", "Let a device of this machine hold a needle that another machine simulates");
   station.footer(
       "Example: stylet station hd: 192.168.0.5:7755\nThe other machine, here 192.168.0.5, runs: "
       "stylet run SCENE --device udp:0.0.0.0:7755");
@@ -317,8 +320,9 @@ constexpr const char* kFooter =
     "  stylet doctor --measure 60\n"
     "  stylet devices\n"
     "  stylet station hd: 192.168.0.5:7755\n"
-    "Exit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a fault that stands at\n"
-    "the end, a replay with other results or a doubtful machine, 4 a machine not fit for real time";
+    "Exit codes: 0 done, 1 a file or device was refused, 2 wrong usage, 3 a run that ended with a\n"
+    "fault or lost a process, a replay with other results, or a machine with warnings,\n"
+    "4 a machine that is not fit for real time";
 
 struct ListOptions {
   bool json = false;

@@ -26,28 +26,28 @@ std::vector<hal::Hand> recorded_hands(const hal::RecordingInfo& info) try {
   return {};
 }
 
-std::shared_ptr<console::SceneView> stage_of(const hal::RecordingReader& recording,
-                                             std::shared_ptr<const hal::OrganFile> organ,
-                                             std::shared_ptr<hal::Display> display,
-                                             const Kernel& kernel) {
+std::shared_ptr<console::SceneView> view_of(const hal::RecordingReader& recording,
+                                            std::shared_ptr<const hal::OrganFile> organ,
+                                            std::shared_ptr<hal::Display> display,
+                                            const Kernel& kernel) {
   const hal::RecordingInfo& info = recording.info();
   const std::vector<hal::Hand> hands = recorded_hands(info);
-  auto stage = std::make_shared<console::SceneView>();
-  stage->scene = std::filesystem::path(info.scene_file).filename().string();
-  stage->period_s = info.config.period_s;
-  stage->recording_ticks = recording.ticks();
-  stage->lattice = console::make_lattice(organ->organ, kernel);
-  stage->organ = std::move(organ);
+  auto view = std::make_shared<console::SceneView>();
+  view->scene = std::filesystem::path(info.scene_file).filename().string();
+  view->period_s = info.config.period_s;
+  view->recording_ticks = recording.ticks();
+  view->lattice = console::make_lattice(organ->organ, kernel);
+  view->organ = std::move(organ);
   for (std::uint32_t i = 0; i < info.config.needle_count; ++i) {
     const NeedleConfig& needle = info.config.needle[i];
-    stage->needles.push_back({i < hands.size() ? hands[i].device : "recorded", needle.length_m,
-                              needle.outer_radius_m, info.course[i],
-                              i < hands.size() ? hands[i].guard.max_force_n : 0});
+    view->needles.push_back({i < hands.size() ? hands[i].device : "recorded", needle.length_m,
+                             needle.outer_radius_m, info.course[i],
+                             i < hands.size() ? hands[i].guard.max_force_n : 0});
   }
-  stage->obstacles = info.obstacles;
-  stage->targets = hal::parse_targets(info.scene_text, info.scene_file);
-  stage->display = std::move(display);
-  return stage;
+  view->obstacles = info.obstacles;
+  view->targets = hal::parse_targets(info.scene_text, info.scene_file);
+  view->display = std::move(display);
+  return view;
 }
 
 std::string obey(console::Player& player, const console::Order& order) {
@@ -89,7 +89,7 @@ int play_back(const PlaybackOptions& options) {
   events.ordered = [&player](const console::Order& order) { return obey(player, order); };
   console::Server server(server_config(options.serve), std::move(events));
   server.show(curve, recording.marks());
-  server.show(stage_of(recording, organ, display, rest.kernel));
+  server.show(view_of(recording, organ, display, rest.kernel));
   server.show(attempt);
   server.show(console::Activity::Playback);
   fmt::print("{}: console at {}\nCtrl-C ends it\n", options.recording, server.url());

@@ -28,7 +28,7 @@
 #include "hal/base/output_file.h"
 #include "hal/base/vector.h"
 #include "hal/record/recording.h"
-#include "hal/score/phases.h"
+#include "hal/score/stages.h"
 
 extern char** environ;
 
@@ -49,18 +49,18 @@ constexpr std::array kCauses = {Cause{"stiffness", palette::kStiffness, &ForceBy
                                 Cause{"clamping", palette::kClamping, &ForceByCause::clamping_n},
                                 Cause{"obstacle", palette::kObstacle, &ForceByCause::obstacle_n}};
 
-struct Curve {
+struct PlottedCurve {
   std::vector<hal::TrackPoint> track;
   std::vector<std::array<float, kCauses.size()>> causes;  // axial, same sign as the track
-  std::vector<hal::PhaseRow> phases;
+  std::vector<hal::StageRow> stages;
   double period_s = 1e-3;
 };
 
-Curve read_curve(const hal::RecordingReader& recording, std::uint32_t needle) {
+PlottedCurve read_curve(const hal::RecordingReader& recording, std::uint32_t needle) {
   const hal::RecordingInfo& info = recording.info();
   const hal::Course& course = info.course[needle];
   const Vec3 d = course.direction;
-  Curve curve;
+  PlottedCurve curve;
   curve.period_s = static_cast<double>(info.config.period_s);
   std::vector<hal::TickRecord> block;
   for (std::uint64_t first = 0; first < recording.ticks(); first += block.size()) {
@@ -74,17 +74,17 @@ Curve read_curve(const hal::RecordingReader& recording, std::uint32_t needle) {
       }
     }
   }
-  curve.phases = hal::find_phases(curve.track, curve.period_s, info.config.needle[needle].unit_m);
+  curve.stages = hal::find_stages(curve.track, curve.period_s, info.config.needle[needle].unit_m);
   return curve;
 }
 
 // Every n-th tick, and the ticks around each change of stage, where curves have corners.
-std::vector<std::size_t> shown_points(const Curve& curve) {
+std::vector<std::size_t> shown_points(const PlottedCurve& curve) {
   std::vector<std::size_t> shown;
   const std::size_t stride = curve.track.size() / kMaxPoints + 1;
   for (std::size_t i = 0; i < curve.track.size(); i += stride) shown.push_back(i);
   std::size_t start = 0;
-  for (const hal::PhaseRow& row : curve.phases) {
+  for (const hal::StageRow& row : curve.stages) {
     if (start > 0) shown.push_back(start - 1);
     shown.push_back(start);
     start += row.end_tick - row.start_tick;
@@ -95,20 +95,20 @@ std::vector<std::size_t> shown_points(const Curve& curve) {
   return shown;
 }
 
-bool felt(const Curve& curve, std::size_t cause) {
+bool felt(const PlottedCurve& curve, std::size_t cause) {
   return std::any_of(curve.causes.begin(), curve.causes.end(),
                      [cause](const auto& f) { return std::fabs(f[cause]) > 1e-3F; });
 }
 
-const hal::PhaseRow& phase_of(const Curve& curve, std::uint64_t tick) {
-  for (const hal::PhaseRow& row : curve.phases) {
+const hal::StageRow& stage_row_of(const PlottedCurve& curve, std::uint64_t tick) {
+  for (const hal::StageRow& row : curve.stages) {
     if (tick < row.end_tick) return row;
   }
-  return curve.phases.back();
+  return curve.stages.back();
 }
 
 // Data blocks: "time force" of the total and of the causes, "travel force" by stage.
-std::string data_blocks(const Curve& curve) {
+std::string data_blocks(const PlottedCurve& curve) {
   std::string total = "$total << EOD\n", causes = "$causes << EOD\n";
   std::string in = "$in << EOD\n", hold = "$hold << EOD\n", out = "$out << EOD\n";
   std::string* last_block = &in;
@@ -122,7 +122,7 @@ std::string data_blocks(const Curve& curve) {
     causes += fmt::format("{:.6g}", time_s);
     for (const float f : curve.causes[i]) causes += fmt::format(" {:.6g}", static_cast<double>(f));
     causes += '\n';
-    const hal::Stage stage = phase_of(curve, p.tick).stage;
+    const hal::Stage stage = stage_row_of(curve, p.tick).stage;
     const bool back = stage == hal::Stage::kRetraction || stage == hal::Stage::kExit;
     std::string& by_depth = stage == hal::Stage::kHold ? hold : back ? out : in;
     if (&by_depth != last_block) by_depth += last_row;  // no gap where the colour changes
@@ -140,7 +140,7 @@ std::string data_blocks(const Curve& curve) {
 
 // Shows the stages and names each in the margin above, slanted. The name of a stage too short for
 // it is moved on.
-std::string phase_shades(const Curve& curve, const Look& look, int scale) {
+std::string stage_shades(const PlottedCurve& curve, const Look& look, int scale) {
   const double gap_s =
       label_gap(look) * static_cast<double>(curve.track.back().tick) * curve.period_s;
   double label_s = -gap_s;
@@ -148,7 +148,7 @@ std::string phase_shades(const Curve& curve, const Look& look, int scale) {
                                  "#FFF6D6", "#F3E6F1", "#F2F2F2"};
   std::string script;
   int object = 1;
-  for (const hal::PhaseRow& row : curve.phases) {
+  for (const hal::StageRow& row : curve.stages) {
     const double from = static_cast<double>(row.start_tick) * curve.period_s;
     const double to = static_cast<double>(row.end_tick) * curve.period_s;
     if (look.shades) {
@@ -198,7 +198,7 @@ std::string key_of(const Look& look, const Panel& panel, const char* inside) {
                      0.5 * look.axis_width);
 }
 
-std::string causes_over_time(const Curve& curve, const Look& look) {
+std::string causes_over_time(const PlottedCurve& curve, const Look& look) {
   std::string plot =
       fmt::format("plot $total using 1:2 with lines linewidth {} linecolor rgb '{}' title 'total'",
                   look.total_width, palette::kTotal);
@@ -220,8 +220,8 @@ std::string force_over_depth(const Look& look) {
       look.depth_width, palette::kWayIn, palette::kHold, palette::kWayOut);
 }
 
-std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::uint32_t needle,
-                      const Look& look, PictureFormat format) {
+std::string script_of(const PlottedCurve& curve, const hal::RecordingInfo& info,
+                      std::uint32_t needle, const Look& look, PictureFormat format) {
   const int scale = format == PictureFormat::kPng ? kPngScale : 1;
   std::string script = terminal_of(look, format) + data_blocks(curve);
   script += fmt::format(
@@ -232,11 +232,11 @@ std::string script_of(const Curve& curve, const hal::RecordingInfo& info, std::u
       "set offsets graph 0, graph 0, graph 0.06, graph 0.04\n",
       look.axis_width, 0.5 * look.axis_width, 0.8 * look.axis_width);
   script +=
-      key_of(look, look.time, "top right") + margins(look.time) + phase_shades(curve, look, scale);
+      key_of(look, look.time, "top right") + margins(look.time) + stage_shades(curve, look, scale);
   script += fmt::format("set xrange [0:{:.6g}]\n",
                         static_cast<double>(curve.track.back().tick) * curve.period_s);
   script += causes_over_time(curve, look);
-  for (std::size_t i = 1; i <= curve.phases.size(); ++i) {
+  for (std::size_t i = 1; i <= curve.stages.size(); ++i) {
     script += fmt::format("unset {0} {1}\nunset label {1}\n", look.shades ? "object" : "arrow", i);
   }
   script += fmt::format(

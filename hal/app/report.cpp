@@ -83,7 +83,7 @@ Json json_of(const Pool& pool) {
   return {{"used", pool.used}, {"high_water", pool.used_max}, {"capacity", pool.capacity}};
 }
 
-Json json_of(const hal::PhaseRow& row) {
+Json json_of(const hal::StageRow& row) {
   return {{"name", hal::stage_name(row.stage)},
           {"start_tick", row.start_tick},
           {"end_tick", row.end_tick},
@@ -97,9 +97,9 @@ Json json_of(const hal::PhaseRow& row) {
           {"presliding_m", json_number(row.presliding_m)}};
 }
 
-Json json_of(const std::vector<hal::PhaseRow>& rows) {
+Json json_of(const std::vector<hal::StageRow>& rows) {
   Json list = Json::array();
-  for (const hal::PhaseRow& row : rows) list.push_back(json_of(row));
+  for (const hal::StageRow& row : rows) list.push_back(json_of(row));
   return list;
 }
 
@@ -133,8 +133,8 @@ Json json_of(std::size_t predicted, std::size_t used) {
 }
 
 // What a reader looks for in each stage.
-std::string remark(std::span<const hal::PhaseRow> rows, std::size_t i) {
-  const hal::PhaseRow& row = rows[i];
+std::string remark(std::span<const hal::StageRow> rows, std::size_t i) {
+  const hal::StageRow& row = rows[i];
   const bool punctured = i + 1 < rows.size() && rows[i + 1].stage == hal::Stage::kPuncture;
   if (row.stage == hal::Stage::kContact && punctured) {
     return fmt::format("punctured at {:.3f} N, {:.2f} mm in", static_cast<double>(row.end_force_n),
@@ -146,19 +146,19 @@ std::string remark(std::span<const hal::PhaseRow> rows, std::size_t i) {
                ? fmt::format("slides after {:.1f} mm", static_cast<double>(row.presliding_m) * 1e3)
                : "takes the tissue along";
   }
-  const std::optional<double> fallen = hal::fallen_share(row);
+  const std::optional<double> fallen = hal::fallen_fraction(row);
   if (!fallen) return "";
   if (row.stage == hal::Stage::kPuncture) return fmt::format("drops {:.0f} %", 100 * *fallen);
   if (row.stage == hal::Stage::kHold) return fmt::format("relaxes {:.0f} %", 100 * *fallen);
   return "";
 }
 
-std::string phase_table(std::span<const hal::PhaseRow> phases, double period_s) {
+std::string stage_table(std::span<const hal::StageRow> stages, double period_s) {
   std::string text =
-      fmt::format("{:<11}{:>9}{:>9}{:>11}{:>10}{:>9}{:>9}{:>11}  {}\n", "phase", "from s", "to s",
+      fmt::format("{:<11}{:>9}{:>9}{:>11}{:>10}{:>9}{:>9}{:>11}  {}\n", "stage", "from s", "to s",
                   "travel mm", "depth mm", "peak N", "mean N", "slope N/mm", "");
-  for (std::size_t i = 0; i < phases.size(); ++i) {
-    const hal::PhaseRow& row = phases[i];
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    const hal::StageRow& row = stages[i];
     const std::string slope = std::isfinite(row.slope_n_per_mm)
                                   ? fmt::format("{:.5f}", static_cast<double>(row.slope_n_per_mm))
                                   : "";
@@ -167,16 +167,16 @@ std::string phase_table(std::span<const hal::PhaseRow> phases, double period_s) 
         hal::stage_name(row.stage), static_cast<double>(row.start_tick) * period_s,
         static_cast<double>(row.end_tick) * period_s, static_cast<double>(row.travel_m) * 1e3,
         static_cast<double>(row.depth_m) * 1e3, static_cast<double>(row.peak_force_n),
-        static_cast<double>(row.mean_force_n), slope, remark(phases, i));
+        static_cast<double>(row.mean_force_n), slope, remark(stages, i));
   }
   return text;
 }
 
 std::string phase_tables(const RunReport& report) {
   std::string text;
-  for (std::size_t i = 0; i < report.phases.size(); ++i) {
-    if (report.phases.size() > 1) text += fmt::format("{}needle {}\n", i > 0 ? "\n" : "", i);
-    text += phase_table(report.phases[i], report.period_s);
+  for (std::size_t i = 0; i < report.stages.size(); ++i) {
+    if (report.stages.size() > 1) text += fmt::format("{}needle {}\n", i > 0 ? "\n" : "", i);
+    text += stage_table(report.stages[i], report.period_s);
   }
   return text;
 }
@@ -253,7 +253,7 @@ std::string strength_text(const RunReport& report) {
     const std::uint64_t limited = report.loop->hand[i].guard.counters.force_limited;
     if (limited == 0) continue;
     double asked_n = 0;
-    for (const hal::PhaseRow& row : report.phases[i]) {
+    for (const hal::StageRow& row : report.stages[i]) {
       asked_n = std::max(asked_n, std::fabs(static_cast<double>(row.peak_force_n)));
     }
     text += fmt::format(
@@ -269,8 +269,8 @@ std::string strength_text(const RunReport& report) {
 // The deepest dimple before a puncture of the surface, in voxels.
 double dimple_voxels(const RunReport& report) {
   double most = 0;
-  for (const auto& phases : report.phases) {
-    for (const hal::PhaseRow& row : phases) {
+  for (const auto& stages : report.stages) {
+    for (const hal::StageRow& row : stages) {
       if (row.stage == hal::Stage::kContact) {
         most = std::max(most, static_cast<double>(row.travel_m / report.voxel_edge_m));
       }
@@ -336,10 +336,10 @@ std::string json_text(const RunReport& report) {
     needle["fault"] = hal::fault_name(guard.fault);
     needle["least_energy_j"] = guard.energy.least_j;
     needle["least_received_j"] = report.least_received_j[i];
-    needle["phases"] = json_of(report.phases[i]);
+    needle["phases"] = json_of(report.stages[i]);
     out["needles"].push_back(needle);
   }
-  out["phases"] = json_of(report.phases[0]);
+  out["phases"] = json_of(report.stages[0]);
   for (const Event& event : report.events) out["events"].push_back(json_of(event));
   out["score"] = report.score ? score_json(*report.score) : Json(nullptr);
   out["timing"] = {{"tick", json_of(loop.tick_time)},

@@ -10,7 +10,7 @@
 #include "hal/loop/host.h"
 #include "hal/loop/loop.h"
 #include "hal/record/replay.h"
-#include "hal/score/phases.h"
+#include "hal/score/stages.h"
 #include "stylet/kernel.h"
 #include "stylet/resonance.h"
 
@@ -27,9 +27,9 @@ struct RunReport {
   std::vector<double> least_received_j;  // of each needle's simulated hand; NaN: it has another
   std::vector<float> most_force_n;       // largest that the guard of each needle lets through
   std::size_t obstacles = 0;
-  std::vector<std::vector<hal::PhaseRow>> phases;  // for each needle
+  std::vector<std::vector<hal::StageRow>> stages;  // for each needle
   std::vector<Event> events;
-  std::optional<ScoredAttempt> score;  // only if the scene has targets
+  std::optional<ScoredRecording> score;  // only if the scene has targets
   const hal::LoopState* loop = nullptr;
   hal::ThreadUse thread = {};
   std::uint32_t threads = 1;         // of the tissue step

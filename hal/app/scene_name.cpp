@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hal/app/commands.h"
-#include "hal/app/organ_recipe.h"
+#include "hal/app/organ_command.h"
 #include "hal/app/own_program.h"
 #include "hal/scene/scene.h"
 
@@ -45,7 +45,8 @@ std::vector<std::string> scene_names() {
   std::error_code error;
   for (const fs::directory_entry& each : fs::directory_iterator(scenes_folder(), error)) {
     const fs::path& path = each.path();
-    if (path.extension() == kEnding && has_recipe(text_of(path))) names.push_back(path.stem());
+    if (path.extension() == kEnding && has_organ_command(text_of(path)))
+      names.push_back(path.stem());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -56,7 +57,7 @@ std::string first_sentence(const std::string& text) {
   std::istringstream lines(text);
   std::string all;
   for (std::string line; std::getline(lines, line) && line.starts_with("# ");) {
-    if (has_recipe(line)) break;
+    if (has_organ_command(line)) break;
     all += line.substr(1);
   }
   all.erase(0, 1);

@@ -54,10 +54,10 @@ std::vector<std::string> recorded_layers(const std::string& path, const hal::Rec
   }
 }
 
-ScoredAttempt attempt_of(const std::string& path, const ScoreOptions& options) {
+ScoredRecording attempt_of(const std::string& path, const ScoreOptions& options) {
   const hal::RecordingReader recording(path);
   const hal::RecordingInfo& info = recording.info();
-  ScoredAttempt attempt;
+  ScoredRecording attempt;
   attempt.name = std::filesystem::path(path).filename().string();
   attempt.targets = options.scene.empty() ? hal::parse_targets(info.scene_text, info.scene_file)
                                           : hal::read_scene(options.scene).targets;
@@ -74,7 +74,7 @@ ScoredAttempt attempt_of(const std::string& path, const ScoreOptions& options) {
 }  // namespace
 
 int score(const ScoreOptions& options) {
-  std::vector<ScoredAttempt> attempts;
+  std::vector<ScoredRecording> attempts;
   for (const std::string& each : options.recordings) attempts.push_back(attempt_of(each, options));
   if (!options.json) {
     fmt::print("{}", score_table(attempts));

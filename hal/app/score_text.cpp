@@ -12,9 +12,9 @@ namespace stylet::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using CellText = std::function<std::string(const ScoredAttempt&)>;
+using CellText = std::function<std::string(const ScoredRecording&)>;
 
-std::string layer_name(const ScoredAttempt& attempt, std::uint32_t layer) {
+std::string layer_name(const ScoredRecording& attempt, std::uint32_t layer) {
   if (layer < attempt.layers.size()) return attempt.layers[layer];
   return layer == kNoLayer ? "outside" : fmt::format("layer {}", layer);
 }
@@ -29,32 +29,32 @@ std::vector<Figure> figures() {
     return fmt::format(fmt::runtime(format), value);
   };
   return {
-      {"duration, s", [=](const ScoredAttempt& a) { return one("{:.2f}", a.score.duration_s); }},
+      {"duration, s", [=](const ScoredRecording& a) { return one("{:.2f}", a.score.duration_s); }},
       {"way of the tip, mm",
-       [=](const ScoredAttempt& a) { return one("{:.1f}", a.score.path_m * 1e3); }},
+       [=](const ScoredRecording& a) { return one("{:.1f}", a.score.path_m * 1e3); }},
       {"  in tissue, mm",
-       [=](const ScoredAttempt& a) { return one("{:.1f}", a.score.depth_path_m * 1e3); }},
+       [=](const ScoredRecording& a) { return one("{:.1f}", a.score.depth_path_m * 1e3); }},
       {"withdrawals",
-       [](const ScoredAttempt& a) { return fmt::format("{}", a.score.withdrawals); }},
+       [](const ScoredRecording& a) { return fmt::format("{}", a.score.withdrawals); }},
       {"peak force, N",
-       [=](const ScoredAttempt& a) {
+       [=](const ScoredRecording& a) {
          return one("{:.2f}", static_cast<double>(a.score.peak_force_n));
        }},
       {"  across the course, N",
-       [=](const ScoredAttempt& a) {
+       [=](const ScoredRecording& a) {
          return one("{:.2f}", static_cast<double>(a.score.peak_lateral_n));
        }},
       {"mean force in tissue, N",
-       [=](const ScoredAttempt& a) { return one("{:.2f}", a.score.mean_force_n); }},
+       [=](const ScoredRecording& a) { return one("{:.2f}", a.score.mean_force_n); }},
       {"faults of the guard",
-       [](const ScoredAttempt& a) { return fmt::format("{}", a.score.faults); }},
+       [](const ScoredRecording& a) { return fmt::format("{}", a.score.faults); }},
       {"punctures",
-       [](const ScoredAttempt& a) { return fmt::format("{}", a.score.puncture_count); }},
+       [](const ScoredRecording& a) { return fmt::format("{}", a.score.puncture_count); }},
   };
 }
 
 CellText puncture_cell(std::size_t index) {
-  return [index](const ScoredAttempt& attempt) -> std::string {
+  return [index](const ScoredRecording& attempt) -> std::string {
     if (index >= attempt.score.punctures.size()) return "";
     const hal::PunctureScore& puncture = attempt.score.punctures[index];
     return fmt::format("{} {:.2f} N", layer_name(attempt, puncture.layer),
@@ -68,7 +68,7 @@ const char* verdict(const hal::Target& target, const hal::TargetScore& score) {
 }
 
 CellText target_cell(const std::string& name) {
-  return [name](const ScoredAttempt& attempt) -> std::string {
+  return [name](const ScoredRecording& attempt) -> std::string {
     for (std::size_t i = 0; i < attempt.targets.size(); ++i) {
       if (attempt.targets[i].name != name) continue;
       const hal::TargetScore& score = attempt.score.targets[i];
@@ -81,24 +81,24 @@ CellText target_cell(const std::string& name) {
 
 using Row = std::vector<std::string>;
 Row row_of(const std::string& label, const CellText& cell,
-           std::span<const ScoredAttempt> attempts) {
+           std::span<const ScoredRecording> attempts) {
   Row row = {label};
-  for (const ScoredAttempt& each : attempts) row.push_back(cell(each));
+  for (const ScoredRecording& each : attempts) row.push_back(cell(each));
   return row;
 }
 
-std::vector<Row> rows_of(std::span<const ScoredAttempt> attempts) {
+std::vector<Row> rows_of(std::span<const ScoredRecording> attempts) {
   std::vector<Row> rows = {row_of(
-      "score", [](const ScoredAttempt& attempt) { return attempt.name; }, attempts)};
+      "score", [](const ScoredRecording& attempt) { return attempt.name; }, attempts)};
   for (const Figure& each : figures()) rows.push_back(row_of(each.label, each.cell, attempts));
   std::size_t punctures = 0;
-  for (const ScoredAttempt& each : attempts)
+  for (const ScoredRecording& each : attempts)
     punctures = std::max(punctures, each.score.punctures.size());
   for (std::size_t i = 0; i < punctures; ++i) {
     rows.push_back(row_of(fmt::format("  {}", i + 1), puncture_cell(i), attempts));
   }
   std::vector<std::string> seen;
-  for (const ScoredAttempt& attempt : attempts) {
+  for (const ScoredRecording& attempt : attempts) {
     for (const hal::Target& target : attempt.targets) {
       if (std::find(seen.begin(), seen.end(), target.name) != seen.end()) continue;
       seen.push_back(target.name);
@@ -119,7 +119,7 @@ std::vector<std::string> layer_names(const Organ& organ) {
   return names;
 }
 
-std::string score_table(std::span<const ScoredAttempt> attempts) {
+std::string score_table(std::span<const ScoredRecording> attempts) {
   const std::vector<Row> rows = rows_of(attempts);
   std::string text;
   for (const Row& row : rows) {
@@ -140,7 +140,7 @@ Json json_number(float value) {
   return std::stod(fmt::format("{:.7g}", static_cast<double>(value)));
 }
 
-Json score_json(const ScoredAttempt& attempt) {
+Json score_json(const ScoredRecording& attempt) {
   const hal::Score& score = attempt.score;
   Json out = {{"duration_s", json_number(static_cast<float>(score.duration_s))},
               {"path_m", json_number(static_cast<float>(score.path_m))},

@@ -12,7 +12,7 @@
 
 namespace stylet::app {
 
-struct ScoredAttempt {
+struct ScoredRecording {
   std::string name;  // of the recording; may be empty
   std::vector<hal::Target> targets;
   std::vector<std::string> layers;  // names of the organ's materials; empty: unknown
@@ -22,8 +22,8 @@ struct ScoredAttempt {
 std::vector<std::string> layer_names(const Organ& organ);
 
 // One row for each figure, one column for each attempt.
-std::string score_table(std::span<const ScoredAttempt> attempts);
-nlohmann::ordered_json score_json(const ScoredAttempt& attempt);
+std::string score_table(std::span<const ScoredRecording> attempts);
+nlohmann::ordered_json score_json(const ScoredRecording& attempt);
 // A float has seven digits; NaN and infinities become null.
 nlohmann::ordered_json json_number(float value);
 

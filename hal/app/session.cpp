@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "hal/app/opening.h"
-#include "hal/app/organ_recipe.h"
+#include "hal/app/organ_command.h"
 #include "hal/base/contained.h"
 #include "hal/device/devices.h"
 #include "hal/loop/helpers.h"
@@ -49,8 +49,8 @@ void attach_devices(Session& s) {
   for (const hal::Hand& hand : s.scene.hands) {
     if (hand.device == "attached" && s.options.fast) {
       throw hal::SceneError(
-          fmt::format("{}: device.uri: {}: expected no --fast: a hand cannot be "
-                      "hurried",
+          fmt::format("{}: device.uri: {}: expected no --fast: a hand on a device moves in real "
+                      "time",
                       s.scene.file, hand.uri));
     }
     const std::int64_t period_ns = std::llround(static_cast<double>(s.scene.config.period_s) * 1e9);
@@ -420,7 +420,7 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.wall_s = a.wall_s;
   const Config& config = s.scene.config;
   for (std::uint32_t i = 0; i < config.needle_count; ++i) {
-    report.phases.push_back(a.kept ? a.kept->phases[i] : std::vector<hal::PhaseRow>{});
+    report.stages.push_back(a.kept ? a.kept->stages[i] : std::vector<hal::StageRow>{});
     const bool simulated = s.scene.hands[i].device == "simulated";
     report.most_force_n.push_back(s.config.hand[i].guard.max_force_n);
     report.least_received_j.push_back(simulated ? s.sources[i].hand.least_received_j
@@ -458,7 +458,7 @@ bool tell_of_trouble(const Session& s, const Attempt& a) {
                a.state.lost_records.load(), hal::kRecordRing);
   }
   if (a.kept && a.kept->forgot) {
-    fmt::print(stderr, "stylet: phases and events are those of the last {} ticks at most\n",
+    fmt::print(stderr, "stylet: stages and events are those of the last {} ticks at most\n",
                hal::kMaxTrackPoints);
   }
   for (const hal::Flight& each : a.kept ? a.kept->flights : std::vector<hal::Flight>{}) {

@@ -40,7 +40,7 @@ constexpr std::chrono::milliseconds kLook{1};
 constexpr const char* kOutOfMemory = "out of memory";
 
 // At the front of the shared memory.
-struct Status {
+struct FrontOfMemory {
   alignas(kCacheLine) std::array<char, 512> last_words;
 };
 
@@ -237,7 +237,7 @@ std::string how_it_ended(int status) {
 
 SideProcess::SideProcess(const std::string& role, std::size_t shared_bytes,
                          std::span<const std::byte> greeting)
-    : memory_(sizeof(Status) + shared_bytes), far_end_(-1), link_([this] {
+    : memory_(sizeof(FrontOfMemory) + shared_bytes), far_end_(-1), link_([this] {
         const std::array<int, 2> ends = socket_pair();
         far_end_ = ends[1];
         return ends[0];
@@ -265,13 +265,14 @@ SideProcess::~SideProcess() {
 }
 
 std::span<std::byte> SideProcess::shared() const {
-  return memory_.bytes().subspan(sizeof(Status));
+  return memory_.bytes().subspan(sizeof(FrontOfMemory));
 }
 
 // The side process may have written anything there.
 std::string SideProcess::last_words() const {
   std::string words;
-  for (const char each : reinterpret_cast<const Status*>(memory_.bytes().data())->last_words) {
+  for (const char each :
+       reinterpret_cast<const FrontOfMemory*>(memory_.bytes().data())->last_words) {
     if (each == 0) break;
     words += std::isprint(static_cast<unsigned char>(each)) != 0 || (each & 0x80) != 0 ? each : ' ';
   }
@@ -322,7 +323,7 @@ void bound_memory(std::size_t shared_bytes) {
 }
 
 void say_last(std::span<std::byte> memory, const char* words) {
-  auto& room = reinterpret_cast<Status*>(memory.data())->last_words;
+  auto& room = reinterpret_cast<FrontOfMemory*>(memory.data())->last_words;
   std::strncpy(room.data(), words, room.size() - 1);
 }
 
@@ -337,7 +338,7 @@ int side_seat(const char* role, SideWork work, bool outlives) {
     SideLink link(kSocketDescriptor);
     std::optional<Bytes> greeting = link.receive(kSidePatienceS);
     if (!greeting) return 1;
-    SideSeat seat = {link, memory.bytes().subspan(sizeof(Status)), std::move(*greeting)};
+    SideSeat seat = {link, memory.bytes().subspan(sizeof(FrontOfMemory)), std::move(*greeting)};
     work(seat);
     return 0;
   } catch (const std::bad_alloc&) {

@@ -61,9 +61,9 @@ ServerConfig config_of(const hal::Bytes& greeting) {
 // `Way` is a function of a Packer or an Unpacker for any number of values. Visits all but shared
 // names and the display.
 template <typename Way>
-void visit(Way way, SceneView& stage) {
-  way(stage.scene, stage.period_s, stage.recording_ticks, stage.lattice.rest_m,
-      stage.lattice.corners, stage.lattice.of_kernel, stage.obstacles);
+void visit(Way way, SceneView& view) {
+  way(view.scene, view.period_s, view.recording_ticks, view.lattice.rest_m, view.lattice.corners,
+      view.lattice.of_kernel, view.obstacles);
 }
 
 template <typename Way>
@@ -85,34 +85,34 @@ void visit(Way way, Order& order) {
 
 Packer packed(const SceneView& given) {
   Packer packer;
-  SceneView stage = given;
-  visit([&packer](const auto&... each) { (packer.put(each), ...); }, stage);
-  packer.put_each(stage.scenes, [](Packer& to, const std::string& name) { to.put(name); });
-  packer.put_each(stage.needles, [](Packer& to, const ShownNeedle& each) {
+  SceneView view = given;
+  visit([&packer](const auto&... each) { (packer.put(each), ...); }, view);
+  packer.put_each(view.scenes, [](Packer& to, const std::string& name) { to.put(name); });
+  packer.put_each(view.needles, [](Packer& to, const ShownNeedle& each) {
     ShownNeedle needle = each;
     visit([&to](const auto&... part) { (to.put(part), ...); }, needle);
   });
-  packer.put_each(stage.targets, hal::pack_target);
-  packer.put(stage.organ->path).put(stage.organ->bytes);
+  packer.put_each(view.targets, hal::pack_target);
+  packer.put(view.organ->path).put(view.organ->bytes);
   return packer;
 }
 
-std::shared_ptr<SceneView> stage_of(std::span<const std::byte> bytes, int display) {
+std::shared_ptr<SceneView> view_of(std::span<const std::byte> bytes, int display) {
   Unpacker from(bytes);
-  auto stage = std::make_shared<SceneView>();
+  auto view = std::make_shared<SceneView>();
   auto organ = std::make_shared<hal::OrganFile>();
-  visit([&from](auto&... each) { (from.get(each), ...); }, *stage);
-  from.get_each(stage->scenes, [](Unpacker& part, std::string& name) { part.get(name); });
-  from.get_each(stage->needles, [](Unpacker& part, ShownNeedle& needle) {
+  visit([&from](auto&... each) { (from.get(each), ...); }, *view);
+  from.get_each(view->scenes, [](Unpacker& part, std::string& name) { part.get(name); });
+  from.get_each(view->needles, [](Unpacker& part, ShownNeedle& needle) {
     visit([&part](auto&... each) { (part.get(each), ...); }, needle);
   });
-  from.get_each(stage->targets, hal::unpack_target);
+  from.get_each(view->targets, hal::unpack_target);
   from.get(organ->path);
   from.get(organ->bytes);
   if (organ_open(organ->bytes, organ->organ) != Status::kOk) throw hal::PackingError();
-  stage->organ = std::move(organ);
-  stage->display = std::make_shared<hal::Display>(display);
-  return stage;
+  view->organ = std::move(organ);
+  view->display = std::make_shared<hal::Display>(display);
+  return view;
 }
 
 // True if the order is one that the server would pass on from a page.
@@ -180,12 +180,12 @@ void ConsoleProcess::send(const Packer& message, std::span<const int> descriptor
   if (!link.gone() && !link.send(message.bytes(), kShowPatienceS, descriptors)) process_.kill();
 }
 
-void ConsoleProcess::show(const SceneView& stage) {
-  // The stage may have any size, so it is not sent through the socket.
-  const Packer all = packed(stage);
+void ConsoleProcess::show(const SceneView& view) {
+  // A view may have any size, so it is not sent through the socket.
+  const Packer all = packed(view);
   const hal::SharedMemory parcel(all.bytes().size());
   std::copy(all.bytes().begin(), all.bytes().end(), parcel.bytes().begin());
-  const std::array descriptors = {parcel.descriptor(), stage.display->descriptor()};
+  const std::array descriptors = {parcel.descriptor(), view.display->descriptor()};
   send(Packer().put(Word::kStage), descriptors);
 }
 
@@ -258,7 +258,7 @@ void obey(Server& server, const hal::Bytes& message, std::vector<int>& descripto
   from.get(word);
   if (word == Word::kStage && descriptors.size() == 2) {
     const hal::SharedMemory parcel = hal::SharedMemory::of(descriptors[0]);
-    server.show(stage_of(parcel.bytes(), descriptors[1]));
+    server.show(view_of(parcel.bytes(), descriptors[1]));
     descriptors.clear();
   } else if (word == Word::kActivity) {
     Activity activity = {};

@@ -39,7 +39,7 @@ class ConsoleProcess {
   explicit ConsoleProcess(const ServerConfig& config);
 
   const std::string& url() const { return url_; }
-  void show(const SceneView& stage);  // copies all but its display
+  void show(const SceneView& view);  // copies all but its display
   void show(Activity activity);
   void show(const ScoredAttempt& attempt);
   void refuse(const std::string& what);  // told to the page in control

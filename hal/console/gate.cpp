@@ -103,7 +103,7 @@ std::string new_token() {
   return text;
 }
 
-Verdict judge(const GateConfig& config, const Request& request) {
+GateAnswer judge(const GateConfig& config, const Request& request) {
   if (!host_good(config, request.host)) {
     return {403, "the Host of a request must be the console's address and port"};
   }

@@ -26,12 +26,12 @@ struct Request {
 
 enum class Place { kPage, kScript, kStyle, kOrgan, kMetrics, kSocket };
 
-struct Verdict {
+struct GateAnswer {
   unsigned status = 200;  // HTTP status
   const char* reason = "";
   Place place = Place::kPage;
 };
-Verdict judge(const GateConfig& config, const Request& request);
+GateAnswer judge(const GateConfig& config, const Request& request);
 
 bool is_loopback(std::string_view address);
 // Compares in a time that depends only on the lengths.

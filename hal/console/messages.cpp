@@ -33,9 +33,9 @@ auto packed_all(Builder& builder, std::span<const stylet::Vec3> all) {
   return builder.CreateVectorOfStructs(out);
 }
 
-auto obstacles_of(Builder& builder, const SceneView& stage) {
+auto obstacles_of(Builder& builder, const SceneView& view) {
   std::vector<flatbuffers::Offset<Obstacle>> all;
-  for (const ObstacleConfig& each : stage.obstacles) {
+  for (const ObstacleConfig& each : view.obstacles) {
     const auto vertices = packed_all(builder, std::span(each.vertices_m).first(each.vertex_count));
     const Vec3 position = packed(each.pose.position_m);
     const Quaternion rotation = packed(each.pose.rotation);
@@ -44,9 +44,9 @@ auto obstacles_of(Builder& builder, const SceneView& stage) {
   return builder.CreateVector(all);
 }
 
-auto needles_of(Builder& builder, const SceneView& stage) {
+auto needles_of(Builder& builder, const SceneView& view) {
   std::vector<flatbuffers::Offset<NeedleInfo>> all;
-  for (const ShownNeedle& each : stage.needles) {
+  for (const ShownNeedle& each : view.needles) {
     const Vec3 entry = packed(each.course.entry_m), direction = packed(each.course.direction);
     all.push_back(CreateNeedleInfo(builder, builder.CreateString(each.device), each.length_m,
                                    each.outer_radius_m, &entry, &direction, each.max_force_n));
@@ -54,9 +54,9 @@ auto needles_of(Builder& builder, const SceneView& stage) {
   return builder.CreateVector(all);
 }
 
-auto targets_of(Builder& builder, const SceneView& stage) {
+auto targets_of(Builder& builder, const SceneView& view) {
   std::vector<flatbuffers::Offset<Target>> all;
-  for (const hal::Target& each : stage.targets) {
+  for (const hal::Target& each : view.targets) {
     const Vec3 position = packed(each.position_m);
     all.push_back(CreateTarget(builder, builder.CreateString(each.name), &position, each.radius_m,
                                each.forbidden));
@@ -74,11 +74,11 @@ auto puncture_scores(Builder& builder, const Organ& organ, const hal::Score& sco
   return builder.CreateVector(all);
 }
 
-auto target_scores(Builder& builder, const SceneView& stage, const hal::Score& score) {
+auto target_scores(Builder& builder, const SceneView& view, const hal::Score& score) {
   std::vector<flatbuffers::Offset<TargetScore>> all;
-  for (std::size_t i = 0; i < std::min(stage.targets.size(), score.targets.size()); ++i) {
-    const auto name = builder.CreateString(stage.targets[i].name);
-    all.push_back(CreateTargetScore(builder, name, stage.targets[i].forbidden,
+  for (std::size_t i = 0; i < std::min(view.targets.size(), score.targets.size()); ++i) {
+    const auto name = builder.CreateString(view.targets[i].name);
+    all.push_back(CreateTargetScore(builder, name, view.targets[i].forbidden,
                                     score.targets[i].closest_m, score.targets[i].reached));
   }
   return builder.CreateVector(all);
@@ -177,21 +177,21 @@ stylet::Vec3 unpacked(const Vec3& v) {
 
 }  // namespace
 
-Bytes hello_message(const SceneView& stage, bool may_control) {
-  const std::size_t lattice = stage.lattice.rest_m.size() * sizeof(Vec3) +
-                              stage.lattice.corners.size() * sizeof(std::uint32_t);
+Bytes hello_message(const SceneView& view, bool may_control) {
+  const std::size_t lattice = view.lattice.rest_m.size() * sizeof(Vec3) +
+                              view.lattice.corners.size() * sizeof(std::uint32_t);
   Builder builder(lattice + 65536);
   const auto version = builder.CreateString(STYLET_VERSION);
-  const auto scene = builder.CreateString(stage.scene);
-  const auto scenes = builder.CreateVectorOfStrings(stage.scenes);
-  const auto rest = packed_all(builder, stage.lattice.rest_m);
-  const auto corners = builder.CreateVector(stage.lattice.corners);
-  const auto needles = needles_of(builder, stage);
-  const auto obstacles = obstacles_of(builder, stage);
-  const auto targets = targets_of(builder, stage);
-  const auto hello = CreateHello(builder, kProtocol, version, scene, scenes, stage.period_s,
-                                 stage.recording_ticks, stage.organ->organ.voxel_edge_m,
-                                 static_cast<std::uint32_t>(stage.lattice.rest_m.size()), rest,
+  const auto scene = builder.CreateString(view.scene);
+  const auto scenes = builder.CreateVectorOfStrings(view.scenes);
+  const auto rest = packed_all(builder, view.lattice.rest_m);
+  const auto corners = builder.CreateVector(view.lattice.corners);
+  const auto needles = needles_of(builder, view);
+  const auto obstacles = obstacles_of(builder, view);
+  const auto targets = targets_of(builder, view);
+  const auto hello = CreateHello(builder, kProtocol, version, scene, scenes, view.period_s,
+                                 view.recording_ticks, view.organ->organ.voxel_edge_m,
+                                 static_cast<std::uint32_t>(view.lattice.rest_m.size()), rest,
                                  corners, kPositionUnitM, needles, obstacles, targets, may_control);
   return finished(builder, Body::Hello, hello);
 }
@@ -210,16 +210,16 @@ Bytes rows_message(std::uint64_t first, std::uint32_t stride, std::span<const Ro
                   CreateRows(builder, first, stride, row_vector, event_vector));
 }
 
-Bytes score_message(const SceneView& stage, const ScoredAttempt& attempt,
+Bytes score_message(const SceneView& view, const ScoredAttempt& attempt,
                     std::span<const Row> rows) {
   Builder builder(rows.size_bytes() + 4096);
   const hal::Score& score = attempt.score;
-  const auto scene = builder.CreateString(stage.scene);
+  const auto scene = builder.CreateString(view.scene);
   const auto trainee = builder.CreateString(attempt.trainee);
   const auto began = builder.CreateString(attempt.began);
   const auto recording = builder.CreateString(attempt.recording);
-  const auto punctures = puncture_scores(builder, stage.organ->organ, score);
-  const auto targets = target_scores(builder, stage, score);
+  const auto punctures = puncture_scores(builder, view.organ->organ, score);
+  const auto targets = target_scores(builder, view, score);
   const auto row_vector = builder.CreateVectorOfStructs(rows.data(), rows.size());
   ScoreBuilder out(builder);
   out.add_attempt(attempt.attempt);

@@ -13,18 +13,17 @@
 
 #include "console_generated.h"
 #include "hal/console/rows.h"
-#include "hal/console/stage.h"
+#include "hal/console/scene_view.h"
 
 namespace stylet::console {
 
 using Bytes = flatbuffers::DetachedBuffer;
 
-Bytes hello_message(const SceneView& stage, bool may_control);
+Bytes hello_message(const SceneView& view, bool may_control);
 Bytes refused_message(const std::string& what);
 Bytes rows_message(std::uint64_t first, std::uint32_t stride, std::span<const Row> rows,
                    std::span<const Happened> events);
-Bytes score_message(const SceneView& stage, const ScoredAttempt& attempt,
-                    std::span<const Row> rows);
+Bytes score_message(const SceneView& view, const ScoredAttempt& attempt, std::span<const Row> rows);
 // attempt: counted from 1, as in a score; 0: a recording's.
 Bytes marked_message(std::uint64_t tick, const std::string& text, std::uint32_t attempt);
 

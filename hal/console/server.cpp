@@ -87,10 +87,10 @@ void Server::Impl::wait_for_frame() {
 
 void Server::Impl::take_news() {
   for (Told each; told.pop(each);) live.add(each);
-  if (stage == nullptr) return;
-  if (const hal::DisplayState* newest = stage->display->take(); newest != nullptr) {
+  if (view == nullptr) return;
+  if (const hal::DisplayState* newest = view->display->take(); newest != nullptr) {
     state = newest;
-    quantise(stage->lattice, state->moved_m, places);
+    quantise(view->lattice, state->moved_m, places);
     ++serial;
   }
   // Quantiles go through all bins, so a few times a second is enough.
@@ -143,8 +143,8 @@ bool Server::Impl::in_control(const PageLink& link) const {
 
 void Server::Impl::greet(PageLink& link) {
   link.got = {};
-  if (stage == nullptr) return;
-  link.send(shared(hello_message(*stage, in_control(link))));
+  if (view == nullptr) return;
+  link.send(shared(hello_message(*view, in_control(link))));
   for (const Parcel& each : scores) link.send(each);
   for (const Parcel& each : marks) link.send(each);
 }
@@ -186,12 +186,12 @@ std::string Server::Impl::take_order(const PageLink& link, Order order) {
 }
 
 void Server::Impl::score(const ScoredAttempt& attempt) {
-  if (stage == nullptr) return;
+  if (view == nullptr) return;
   take_news();
   const std::span rows = curve().rows_from(0);
   const std::uint64_t first = rows.empty() ? 0 : rows.front().tick();
   const std::vector<Row> thinned = thin(rows, first, stride_for(rows.size(), 1, kMaxRowsPerScore));
-  keep_and_send(scores, kMaxScoresKept, score_message(*stage, attempt, thinned));
+  keep_and_send(scores, kMaxScoresKept, score_message(*view, attempt, thinned));
 }
 
 void Server::Impl::keep_and_send(std::deque<Parcel>& kept, std::size_t most, Bytes bytes) {
@@ -201,7 +201,7 @@ void Server::Impl::keep_and_send(std::deque<Parcel>& kept, std::size_t most, Byt
 }
 
 void Server::Impl::answer_rows(PageLink& link, const AskedRows& asked) {
-  if (stage == nullptr || asked.last < asked.first) return;
+  if (view == nullptr || asked.last < asked.first) return;
   const std::span rows = curve().rows_between(asked.first, asked.last);
   const std::uint32_t points = std::clamp(asked.points, 1U, kMaxRowsPerAnswer);
   const std::uint32_t stride = stride_for(rows.size(), 1, points);
@@ -231,10 +231,10 @@ std::string Server::url() const {
                      gate.port, gate.token.empty() ? "" : "?token=", gate.token);
 }
 
-void Server::show(std::shared_ptr<const SceneView> stage) {
-  asio::post(impl_->io, [impl = impl_.get(), stage = std::move(stage)]() mutable {
-    impl->state = nullptr;  // it belongs to the old stage's display
-    impl->stage = std::move(stage);
+void Server::show(std::shared_ptr<const SceneView> view) {
+  asio::post(impl_->io, [impl = impl_.get(), view = std::move(view)]() mutable {
+    impl->state = nullptr;  // it belongs to the old view's display
+    impl->view = std::move(view);
     for (const auto& link : std::vector(impl->links)) impl->greet(*link);
   });
 }

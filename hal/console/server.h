@@ -18,7 +18,7 @@
 #include "hal/base/channel.h"
 #include "hal/console/gate.h"
 #include "hal/console/messages.h"
-#include "hal/console/stage.h"
+#include "hal/console/scene_view.h"
 #include "hal/record/recording.h"
 
 namespace stylet::console {
@@ -60,7 +60,7 @@ class Server {
   std::string url() const;
 
   // To be called from any one other thread at a time.
-  void show(std::shared_ptr<const SceneView> stage);
+  void show(std::shared_ptr<const SceneView> view);
   void show(Activity activity);
   void refuse(const std::string& what);  // told to the page in control
   // Of the attempt whose rows were told last, or of the recording.

@@ -76,7 +76,7 @@ struct Server::Impl {
   std::vector<std::shared_ptr<PageLink>> links;  // the oldest page is in control
   hal::Ring<Told> told{kRowRing};
 
-  std::shared_ptr<const SceneView> stage;
+  std::shared_ptr<const SceneView> view;
   Activity activity = Activity::Ready;
   std::shared_ptr<const Curve> recorded;  // of a recording; if null, `live` is shown
   Curve live{kMaxRowsKept};

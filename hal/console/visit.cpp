@@ -45,7 +45,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
   void answer() {
     const auto& request = parser_->get();
-    const Verdict verdict =
+    const GateAnswer verdict =
         judge(server_.config.gate,
               {view_of(request.method_string()), view_of(request.target()),
                view_of(request[http::field::host]), view_of(request[http::field::origin])});
@@ -62,7 +62,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
       case Place::kMetrics:
         text_ = server_.events.metrics
                     ? server_.events.metrics({server_.connections, server_.lost_frames,
-                                              server_.stage ? server_.stage->scene : ""})
+                                              server_.view ? server_.view->scene : ""})
                     : "";
         return reply(200, "text/plain; version=0.0.4; charset=utf-8", text_);
       case Place::kSocket:
@@ -73,9 +73,9 @@ class Visit : public std::enable_shared_from_this<Visit> {
   }
 
   void reply_organ() {
-    const auto stage = server_.stage;
-    if (stage == nullptr) return reply(503, "text/plain", "no scene yet");
-    organ_ = stage->organ;
+    const auto view = server_.view;
+    if (view == nullptr) return reply(503, "text/plain", "no scene yet");
+    organ_ = view->organ;
     const auto* bytes = reinterpret_cast<const char*>(organ_->bytes.data());
     reply(200, "application/octet-stream", {bytes, organ_->bytes.size()});
   }

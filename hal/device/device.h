@@ -56,8 +56,8 @@ struct DeviceInfo {
 // How long the guard may go without a sample: `otherwise_s` for most devices. A device whose forces
 // end by themselves can have a longer watchdog, because a packet may be lost.
 inline float watchdog_of(const DeviceInfo& info, float otherwise_s) {
-  constexpr float kLifeShare = 0.75F;
-  return std::max(otherwise_s, kLifeShare * info.force_life_s);
+  constexpr float kLifeFraction = 0.75F;
+  return std::max(otherwise_s, kLifeFraction * info.force_life_s);
 }
 
 struct Device {

@@ -119,7 +119,7 @@ struct Shared {
   Slot from_stylet;
 };
 
-struct Memory {
+struct PacketMemory {
   Shared* shared = nullptr;
   Side side = Side::kStylet;
   std::string path;
@@ -128,7 +128,7 @@ struct Memory {
 };
 
 void memory_send(void* self, std::span<const std::byte> packet) {
-  Memory& memory = *static_cast<Memory*>(self);
+  PacketMemory& memory = *static_cast<PacketMemory*>(self);
   Slot& slot =
       memory.side == Side::kStylet ? memory.shared->from_stylet : memory.shared->from_device;
   std::array<std::uint64_t, kSlotWords> words = {};
@@ -137,7 +137,7 @@ void memory_send(void* self, std::span<const std::byte> packet) {
 }
 
 std::optional<std::size_t> memory_receive(void* self, std::span<std::byte> room) {
-  Memory& memory = *static_cast<Memory*>(self);
+  PacketMemory& memory = *static_cast<PacketMemory*>(self);
   const bool stylet = memory.side == Side::kStylet;
   const Slot& slot = stylet ? memory.shared->from_device : memory.shared->from_stylet;
   std::array<std::uint64_t, kSlotWords> words = {};
@@ -153,14 +153,14 @@ std::optional<std::size_t> memory_receive(void* self, std::span<std::byte> room)
 }
 
 void memory_close(void* self) {
-  const std::unique_ptr<Memory> memory(static_cast<Memory*>(self));
+  const std::unique_ptr<PacketMemory> memory(static_cast<PacketMemory*>(self));
   unmap_lasting(memory->shared, sizeof(Shared));
   if (memory->side == Side::kStylet) unlink(memory->path.c_str());  // while the lock is ours
   ::close(memory->file);
 }
 
 std::string memory_trouble(void* self) {
-  const Memory& memory = *static_cast<const Memory*>(self);
+  const PacketMemory& memory = *static_cast<const PacketMemory*>(self);
   struct stat there = {};
   const bool whole = fstat(memory.file, &there) == 0 && there.st_size >= off_t{sizeof(Shared)};
   if (whole) return "";
@@ -217,7 +217,7 @@ Link udp_connect(const std::string& where) {
 }
 
 Link shared_memory(const std::string& name, Side side) {
-  auto memory = std::make_unique<Memory>();
+  auto memory = std::make_unique<PacketMemory>();
   memory->side = side;
   memory->path = "/dev/shm/stylet." + name;
   if (name.empty() || name.find('/') != std::string::npos) {

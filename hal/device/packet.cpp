@@ -142,13 +142,13 @@ bool obey(ObeyedForce& obeyed, const ForcePacket& packet, std::int64_t now_ns) {
                                 is_newer_arming(obeyed.newest.arming, packet.arming));
   // A force answers a sample that was taken, and lives no longer than forces may.
   if (older || packet.life_ns > kForceLifeNs || !lives(packet, now_ns)) return false;
-  (void)obeyed_share(obeyed, now_ns);  // a force that has ended stays ended, whatever comes now
+  (void)obeyed_fraction(obeyed, now_ns);  // a force that has ended stays ended, whatever comes now
   if (first || packet.arming != obeyed.newest.arming) obeyed.stopped = false;
   obeyed.newest = packet;
   return true;
 }
 
-float obeyed_share(ObeyedForce& obeyed, std::int64_t now_ns) {
+float obeyed_fraction(ObeyedForce& obeyed, std::int64_t now_ns) {
   const ForcePacket& newest = obeyed.newest;
   if (newest.life_ns == 0) return 0;
   if (!lives(newest, now_ns)) obeyed.stopped = true;

@@ -73,7 +73,7 @@ Vec3 force_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
 Vec3 torque_at(const ForcePacket& packet, std::int64_t now_ns, Vec3 position_m);
 
 // What the device's side obeys: the newest force, while it lives. Whoever renders forces must use
-// obey() and obeyed_share(), and limit how fast the motors' force changes by a slew of its own,
+// obey() and obeyed_fraction(), and limit how fast the motors' force changes by a slew of its own,
 // from nothing to the largest force in half of kForceLifeNs or less.
 struct ObeyedForce {
   ForcePacket newest;  // without life: none came yet
@@ -82,7 +82,7 @@ struct ObeyedForce {
 // False: not newer, of an older arming, or its life is over or longer than allowed.
 bool obey(ObeyedForce& obeyed, const ForcePacket& packet, std::int64_t now_ns);
 // The fraction of it that is felt: 1, less in the second half of its life; 0 once it has stopped.
-float obeyed_share(ObeyedForce& obeyed, std::int64_t now_ns);
+float obeyed_fraction(ObeyedForce& obeyed, std::int64_t now_ns);
 
 constexpr std::size_t kSamplePacketBytes = 108;
 constexpr std::size_t kForcePacketBytes = 128;

@@ -11,10 +11,10 @@
 namespace stylet::hal {
 
 // kMinor: bad, but one step less than the check's severity. kBesides: neither good nor bad.
-enum class State { kGood, kBesides, kMinor, kBad, kUnknown };
+enum class Condition { kGood, kBesides, kMinor, kBad, kUnknown };
 
 struct Seen {
-  State state = State::kUnknown;
+  Condition state = Condition::kUnknown;
   std::string value;
   std::string source;
 };
@@ -31,7 +31,7 @@ std::span<const Check> processor_checks();  // who else may use the processor, a
 std::span<const Check> device_checks();     // USB, and the threads that serve it
 
 inline Seen not_read(const std::string& path) {
-  return {State::kUnknown, "cannot be read", path};
+  return {Condition::kUnknown, "cannot be read", path};
 }
 
 }  // namespace stylet::hal

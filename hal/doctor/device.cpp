@@ -25,7 +25,7 @@ Seen usb_power(const Patient&, const HostTree& tree) {
   const string bus = "/sys/bus/usb/devices";
   if (!exists(tree, bus)) {
     if (!exists(tree, "/sys/bus")) return not_read(bus);
-    return {State::kBesides, "no USB", bus};
+    return {Condition::kBesides, "no USB", bus};
   }
   string sleepy, found;
   for (const string& entry : names_in(tree, bus)) {
@@ -35,8 +35,8 @@ Seen usb_power(const Patient&, const HostTree& tree) {
     if (read_text(tree, bus + "/" + entry + "/power/control") != "on") sleepy = found;
   }
   const string path = bus + "/*/power/control";
-  if (found.empty()) return {State::kBesides, "no haptic device attached", path};
-  return {sleepy.empty() ? State::kGood : State::kBad,
+  if (found.empty()) return {Condition::kBesides, "no haptic device attached", path};
+  return {sleepy.empty() ? Condition::kGood : Condition::kBad,
           sleepy.empty() ? found + ", always on" : found + ", may be suspended", path};
 }
 
@@ -58,9 +58,9 @@ Seen device_thread(const Patient& patient, const HostTree& tree) {
       below += fmt::format("{}{} ({})", below.empty() ? "" : ", ", task->name, task->priority);
   }
   if (seen == 0) return not_read(path);
-  if (threads == 0) return {State::kBesides, "no USB interrupt has a thread", path};
-  if (!below.empty()) return {State::kBad, "here, below the loop: " + below, path};
-  return {State::kGood, "above the loop or elsewhere", path};
+  if (threads == 0) return {Condition::kBesides, "no USB interrupt has a thread", path};
+  if (!below.empty()) return {Condition::kBad, "here, below the loop: " + below, path};
+  return {Condition::kGood, "above the loop or elsewhere", path};
 }
 
 constexpr Check kChecks[] = {

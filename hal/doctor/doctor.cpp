@@ -16,17 +16,17 @@ namespace {
 
 using std::string;
 
-Verdict verdict_of(State state, Verdict severity) {
+Verdict verdict_of(Condition state, Verdict severity) {
   switch (state) {
-    case State::kGood:
+    case Condition::kGood:
       return Verdict::kOk;
-    case State::kBesides:
+    case Condition::kBesides:
       return Verdict::kInfo;
-    case State::kMinor:
+    case Condition::kMinor:
       return severity == Verdict::kFail ? Verdict::kWarn : Verdict::kInfo;
-    case State::kBad:
+    case Condition::kBad:
       return severity;
-    case State::kUnknown:
+    case Condition::kUnknown:
       break;
   }
   return Verdict::kUnknown;
@@ -43,7 +43,7 @@ Finding finding_of(const Check& check, const Seen& seen, const Patient& patient)
   Finding finding = {check.name,     verdict_of(seen.state, check.severity),
                      check.severity, seen.value,
                      seen.source,    ""};
-  if (seen.state == State::kGood || seen.state == State::kBesides) return finding;
+  if (seen.state == Condition::kGood || seen.state == Condition::kBesides) return finding;
   finding.remedy = check.remedy;
   replace_all(finding.remedy, "{cpu}", std::to_string(patient.cpu));
   replace_all(finding.remedy, "{priority}", std::to_string(patient.priority));
@@ -61,7 +61,7 @@ Finding device_priority(const Patient& patient) {
   const string value = trial.granted
                            ? fmt::format("SCHED_FIFO {} granted", kDevicePriority)
                            : fmt::format("SCHED_FIFO {} refused ({})", kDevicePriority, trial.why);
-  const State state = trial.granted ? State::kGood : State::kBad;
+  const Condition state = trial.granted ? Condition::kGood : Condition::kBad;
   return finding_of(kPriority, {state, value, "sched_setscheduler"}, patient);
 }
 
@@ -71,7 +71,7 @@ Finding device_watchdog(const Patient& patient) {
       "install the newest SDK and firmware: without a watchdog the force of a driver that hangs "
       "stays until this program switches it off, and for good if this program hangs, too"};
   const bool taken = *patient.trials->watchdog;
-  const Seen seen = {taken ? State::kGood : State::kBad, taken ? "taken" : "refused",
+  const Seen seen = {taken ? Condition::kGood : Condition::kBad, taken ? "taken" : "refused",
                      "dhdSetWatchdog"};
   return finding_of(kWatchdog, seen, patient);
 }
@@ -120,14 +120,14 @@ Seen interrupts_between(const Disturbances& before, const Disturbances& after, d
       came += fmt::format("{}{} {}", came.empty() ? "" : ", ", name, count - start);
   }
   if (came.empty())
-    return {State::kGood, fmt::format("none in {:g} s but its timer", seconds), path};
-  return {State::kBad, fmt::format("{} in {:g} s", came, seconds), path};
+    return {Condition::kGood, fmt::format("none in {:g} s but its timer", seconds), path};
+  return {Condition::kBad, fmt::format("{} in {:g} s", came, seconds), path};
 }
 
 Seen growth(const std::optional<std::uint64_t>& before, const std::optional<std::uint64_t>& after,
             double seconds, const string& path) {
   if (!before || !after) return not_read(path);
-  return {*before == *after ? State::kGood : State::kBad,
+  return {*before == *after ? Condition::kGood : Condition::kBad,
           fmt::format("{} in {:g} s", *after - *before, seconds), path};
 }
 
@@ -195,7 +195,7 @@ std::vector<Finding> compare_disturbances(const Patient& patient, const Disturba
   const Seen firmware = vendor.empty() || vendor == "GenuineIntel"
                             ? growth(before.system_management, after.system_management, seconds,
                                      fmt::format("/dev/cpu/{}/msr (0x34)", patient.cpu))
-                            : Seen{State::kBesides, "no counter on " + vendor, "/proc/cpuinfo"};
+                            : Seen{Condition::kBesides, "no counter on " + vendor, "/proc/cpuinfo"};
   return {finding_of(kInterrupts, interrupts_between(before, after, seconds), patient),
           finding_of(kFirmware, firmware, patient),
           finding_of(kHeat,

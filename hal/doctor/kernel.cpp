@@ -22,16 +22,16 @@ Seen preempt_rt(const Patient&, const HostTree& tree) {
   if (!version) return not_read("/proc/version");
   const std::vector<string> words = words_of(*version);
   const string release = words.size() > 2 ? words[2] : *version;
-  if (is_preempt_rt(tree)) return {State::kGood, release + " PREEMPT_RT", "/proc/version"};
+  if (is_preempt_rt(tree)) return {Condition::kGood, release + " PREEMPT_RT", "/proc/version"};
   if (read_text(tree, "/sys/kernel/realtime") == "1") {
-    return {State::kGood, release, "/sys/kernel/realtime"};
+    return {Condition::kGood, release, "/sys/kernel/realtime"};
   }
   const string config_path = "/boot/config-" + release;
   const auto config = read_text(tree, config_path);
   if (config && config->find("CONFIG_PREEMPT_RT=y") != string::npos) {
-    return {State::kGood, release + " CONFIG_PREEMPT_RT", config_path};
+    return {Condition::kGood, release + " CONFIG_PREEMPT_RT", config_path};
   }
-  return {State::kBad, release + " without PREEMPT_RT", "/proc/version"};
+  return {Condition::kBad, release + " without PREEMPT_RT", "/proc/version"};
 }
 
 Seen virtual_machine(const Patient&, const HostTree& tree) {
@@ -40,13 +40,13 @@ Seen virtual_machine(const Patient&, const HostTree& tree) {
   if (!flags) return not_read(path + " (flags)");
   const std::vector<string> words = words_of(*flags);
   const bool guest = std::find(words.begin(), words.end(), "hypervisor") != words.end();
-  return {guest ? State::kBad : State::kGood, guest ? "under a hypervisor" : "none", path};
+  return {guest ? Condition::kBad : Condition::kGood, guest ? "under a hypervisor" : "none", path};
 }
 
 Seen clock_resolution(const Patient& patient, const HostTree& tree) {
   if (patient.trials) {
     const std::int64_t ns = patient.trials->clock_resolution_ns;
-    return {ns == 1 ? State::kGood : State::kBad, fmt::format("{} ns", ns),
+    return {ns == 1 ? Condition::kGood : Condition::kBad, fmt::format("{} ns", ns),
             "clock_getres(CLOCK_MONOTONIC)"};
   }
   const string path = "/proc/timer_list";
@@ -54,7 +54,7 @@ Seen clock_resolution(const Patient& patient, const HostTree& tree) {
   if (!list) return not_read(path);
   const auto resolution = value_of(*list, ".resolution");
   if (!resolution) return not_read(path + " (.resolution)");
-  return {*resolution == "1 nsecs" ? State::kGood : State::kBad, *resolution, path};
+  return {*resolution == "1 nsecs" ? Condition::kGood : Condition::kBad, *resolution, path};
 }
 
 Seen clock_source(const Patient&, const HostTree& tree) {
@@ -63,7 +63,7 @@ Seen clock_source(const Patient&, const HostTree& tree) {
   if (!source) return not_read(path);
   const bool good = *source == "tsc" || *source == "arch_sys_counter";
   const bool slow = *source == "hpet" || *source == "acpi_pm" || *source == "jiffies";
-  return {good ? State::kGood : slow ? State::kBad : State::kMinor, *source, path};
+  return {good ? Condition::kGood : slow ? Condition::kBad : Condition::kMinor, *source, path};
 }
 
 // ---- rights -------------------------------------------------------------------------------------
@@ -87,33 +87,33 @@ std::optional<string> limit_of(const HostTree& tree, const string& name) {
 }
 
 Seen from_trial(const Trial& trial, const string& what, const char* source) {
-  if (trial.granted) return {State::kGood, what + " granted", source};
-  return {State::kBad, fmt::format("{} refused ({})", what, trial.why), source};
+  if (trial.granted) return {Condition::kGood, what + " granted", source};
+  return {Condition::kBad, fmt::format("{} refused ({})", what, trial.why), source};
 }
 
 Seen priority_right(const Patient& patient, const HostTree& tree) {
   const string what = fmt::format("SCHED_FIFO {}", patient.priority);
   if (patient.trials) return from_trial(patient.trials->fifo, what, "sched_setscheduler");
   if (has_capability(tree, kCapSysNice)) {
-    return {State::kGood, "CAP_SYS_NICE", "/proc/self/status (CapEff)"};
+    return {Condition::kGood, "CAP_SYS_NICE", "/proc/self/status (CapEff)"};
   }
   const auto limit = limit_of(tree, "Max realtime priority");
   const auto number = parse_number(limit.value_or(""));
   if (!limit || (!number && *limit != "unlimited")) return not_read("/proc/self/limits");
   const bool enough = !number || *number >= static_cast<std::uint64_t>(patient.priority);
-  return {enough ? State::kGood : State::kBad, "at most " + *limit,
+  return {enough ? Condition::kGood : Condition::kBad, "at most " + *limit,
           "/proc/self/limits (Max realtime priority)"};
 }
 
 Seen memory_right(const Patient& patient, const HostTree& tree) {
   if (patient.trials) return from_trial(patient.trials->lock, "locking memory", "mlockall");
   if (has_capability(tree, kCapIpcLock)) {
-    return {State::kGood, "CAP_IPC_LOCK", "/proc/self/status (CapEff)"};
+    return {Condition::kGood, "CAP_IPC_LOCK", "/proc/self/status (CapEff)"};
   }
   const auto limit = limit_of(tree, "Max locked memory");
   if (!limit) return not_read("/proc/self/limits");
-  return {*limit == "unlimited" ? State::kGood : State::kBad, "at most " + *limit + " bytes",
-          "/proc/self/limits (Max locked memory)"};
+  return {*limit == "unlimited" ? Condition::kGood : Condition::kBad,
+          "at most " + *limit + " bytes", "/proc/self/limits (Max locked memory)"};
 }
 
 // ---- settings -----------------------------------------------------------------------------------
@@ -125,12 +125,13 @@ Seen setting(const HostTree& tree, const string& path, const string& feature,
   const auto text = read_text(tree, path);
   if (!text) {
     const string parent = feature.substr(0, feature.rfind('/'));
-    if (!exists(tree, feature) && exists(tree, parent)) return {State::kGood, "not built in", path};
+    if (!exists(tree, feature) && exists(tree, parent))
+      return {Condition::kGood, "not built in", path};
     return not_read(path);
   }
   const string value = chosen(*text);
   const bool is_good = std::find(good.begin(), good.end(), value) != good.end();
-  return {is_good ? State::kGood : State::kBad, value, path};
+  return {is_good ? Condition::kGood : Condition::kBad, value, path};
 }
 
 Seen rt_throttling(const Patient&, const HostTree& tree) {
@@ -143,8 +144,8 @@ Seen swap(const Patient&, const HostTree& tree) {
   const auto text = read_text(tree, path);
   if (!text) return not_read(path);
   const std::size_t areas = lines_of(*text).size();  // not counting one line of headings
-  if (areas <= 1) return {State::kGood, "none", path};
-  return {State::kBad, fmt::format("{} areas", areas - 1), path};
+  if (areas <= 1) return {Condition::kGood, "none", path};
+  return {Condition::kBad, fmt::format("{} areas", areas - 1), path};
 }
 
 Seen huge_pages(const Patient&, const HostTree& tree) {
@@ -167,14 +168,14 @@ Seen lockup_detectors(const Patient& patient, const HostTree& tree) {
   const Seen soft = setting(tree, path, path, {"0"});
   const string nmi_path = "/proc/sys/kernel/nmi_watchdog";
   const Seen nmi = setting(tree, nmi_path, nmi_path, {"0"});
-  if (soft.state != State::kBad && nmi.state != State::kBad) {
-    return soft.state == State::kGood ? nmi : soft;
+  if (soft.state != Condition::kBad && nmi.state != Condition::kBad) {
+    return soft.state == Condition::kGood ? nmi : soft;
   }
   const string mask_path = "/proc/sys/kernel/watchdog_cpumask";
   const auto mask = read_text(tree, mask_path);
   if (!mask) return not_read(mask_path);
   const bool here = list_holds(*mask, patient.cpu);
-  return {here ? State::kBad : State::kGood, "on processors " + *mask, mask_path};
+  return {here ? Condition::kBad : Condition::kGood, "on processors " + *mask, mask_path};
 }
 
 Seen timer_migration(const Patient&, const HostTree& tree) {
@@ -193,11 +194,11 @@ Seen efi_runtime(const Patient&, const HostTree& tree) {
   if (!line) return not_read(path);
   if (!exists(tree, "/sys/firmware/efi")) {
     if (!exists(tree, "/sys/firmware")) return not_read("/sys/firmware/efi");
-    return {State::kGood, "no EFI", "/sys/firmware/efi"};
+    return {Condition::kGood, "no EFI", "/sys/firmware/efi"};
   }
   const bool off = line->find("efi=noruntime") != string::npos ||
                    (is_preempt_rt(tree) && line->find("efi=runtime") == string::npos);
-  return {off ? State::kGood : State::kBad, off ? "off" : "on", path};
+  return {off ? Condition::kGood : Condition::kBad, off ? "off" : "on", path};
 }
 
 Seen mitigations(const Patient&, const HostTree& tree) {
@@ -208,7 +209,7 @@ Seen mitigations(const Patient&, const HostTree& tree) {
     const string path = folder + "/" + name;
     return read_text(tree, path).value_or("").starts_with("Mitigation");
   });
-  return {State::kBesides, fmt::format("{} of {} vulnerabilities", mitigated, names.size()),
+  return {Condition::kBesides, fmt::format("{} of {} vulnerabilities", mitigated, names.size()),
           folder};
 }
 

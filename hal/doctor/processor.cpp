@@ -36,11 +36,11 @@ Seen isolated(const Patient& patient, const HostTree& tree) {
   const string path = kProcessors + "/isolated";
   const auto by_boot = read_text(tree, path);
   if (!by_boot) return not_read(path);
-  if (list_holds(*by_boot, patient.cpu)) return {State::kGood, "isolated: " + *by_boot, path};
+  if (list_holds(*by_boot, patient.cpu)) return {Condition::kGood, "isolated: " + *by_boot, path};
   const string set_path = "/sys/fs/cgroup/cpuset.cpus.isolated";
   const string by_set = read_text(tree, set_path).value_or("");
-  if (list_holds(by_set, patient.cpu)) return {State::kGood, "isolated: " + by_set, set_path};
-  return {State::kBad, "isolated: " + or_none(*by_boot), path};
+  if (list_holds(by_set, patient.cpu)) return {Condition::kGood, "isolated: " + by_set, set_path};
+  return {Condition::kBad, "isolated: " + or_none(*by_boot), path};
 }
 
 Seen tick_mode(const Patient& patient, const HostTree& tree) {
@@ -48,10 +48,10 @@ Seen tick_mode(const Patient& patient, const HostTree& tree) {
   const auto list = read_text(tree, path);
   if (!list) {
     if (!exists(tree, kProcessors)) return not_read(path);
-    return {State::kGood, "periodic when busy", path};
+    return {Condition::kGood, "periodic when busy", path};
   }
-  if (list_holds(*list, patient.cpu)) return {State::kBad, "nohz_full: " + *list, path};
-  return {State::kGood, "nohz_full: " + or_none(*list), path};
+  if (list_holds(*list, patient.cpu)) return {Condition::kBad, "nohz_full: " + *list, path};
+  return {Condition::kGood, "nohz_full: " + or_none(*list), path};
 }
 
 Seen rcu_callbacks(const Patient& patient, const HostTree& tree) {
@@ -59,7 +59,7 @@ Seen rcu_callbacks(const Patient& patient, const HostTree& tree) {
   if (!read_text(tree, path)) return not_read(path);
   const string list = boot_option(tree, "rcu_nocbs");
   const bool moved = list == "all" || list_holds(list, patient.cpu);
-  return {moved ? State::kGood : State::kBad, "rcu_nocbs: " + or_none(list), path};
+  return {moved ? Condition::kGood : Condition::kBad, "rcu_nocbs: " + or_none(list), path};
 }
 
 // The interrupts in use that may be delivered to the loop's processor.
@@ -81,9 +81,9 @@ Seen interrupt_routing(const Patient& patient, const HostTree& tree) {
     if (list && list_holds(*list, patient.cpu)) here += (here.empty() ? "" : ", ") + number;
   }
   const string path = "/proc/irq/*/effective_affinity_list";
-  if (!here.empty()) return {State::kBad, fmt::format("here: {} (of {})", here, used), path};
+  if (!here.empty()) return {Condition::kBad, fmt::format("here: {} (of {})", here, used), path};
   if (used == 0 || unread > 0) return not_read(path);
-  return {State::kGood, fmt::format("none of {} comes here", used), path};
+  return {Condition::kGood, fmt::format("none of {} comes here", used), path};
 }
 
 Seen workqueues(const Patient& patient, const HostTree& tree) {
@@ -91,7 +91,7 @@ Seen workqueues(const Patient& patient, const HostTree& tree) {
   const auto mask = read_text(tree, path);
   const auto here = mask_holds(mask.value_or(""), patient.cpu);
   if (!here) return not_read(path);
-  return {*here ? State::kBad : State::kGood, "mask " + *mask, path};
+  return {*here ? Condition::kBad : Condition::kGood, "mask " + *mask, path};
 }
 
 Seen smt_sibling(const Patient& patient, const HostTree& tree) {
@@ -99,11 +99,11 @@ Seen smt_sibling(const Patient& patient, const HostTree& tree) {
   const auto siblings = read_text(tree, path);
   if (!siblings || siblings->empty()) return not_read(path);
   const std::vector<int> all = parse_cpu_list(*siblings);
-  if (all.size() == 1) return {State::kGood, "none", path};
+  if (all.size() == 1) return {Condition::kGood, "none", path};
   const string reserved = read_text(tree, kProcessors + "/isolated").value_or("");
   const bool idle =
       std::all_of(all.begin(), all.end(), [&](int cpu) { return list_holds(reserved, cpu); });
-  return {idle ? State::kGood : State::kBad,
+  return {idle ? Condition::kGood : Condition::kBad,
           fmt::format("{}, {}", *siblings, idle ? "all isolated" : "not all isolated"), path};
 }
 
@@ -126,7 +126,7 @@ Seen tasks_above(const Patient& patient, const HostTree& tree) {
   }
   const string path = "/proc/*/task/*/stat";
   if (seen == 0) return not_read(path);
-  return {above.empty() ? State::kGood : State::kBad, or_none(above), path};
+  return {above.empty() ? Condition::kGood : Condition::kBad, or_none(above), path};
 }
 
 // ---- how fast -----------------------------------------------------------------------------------
@@ -134,30 +134,30 @@ Seen tasks_above(const Patient& patient, const HostTree& tree) {
 Seen governor(const Patient& patient, const HostTree& tree) {
   const string path = of_cpu(patient, "cpufreq/scaling_governor");
   const auto name = read_text(tree, path);
-  if (!name) return {State::kUnknown, "Linux does not set the frequency", path};
+  if (!name) return {Condition::kUnknown, "Linux does not set the frequency", path};
   const auto low = read_text(tree, of_cpu(patient, "cpufreq/scaling_min_freq"));
   const auto high = read_text(tree, of_cpu(patient, "cpufreq/scaling_max_freq"));
-  if (*name != "performance") return {State::kBad, *name, path};
+  if (*name != "performance") return {Condition::kBad, *name, path};
   if (!low || !high) return not_read(of_cpu(patient, "cpufreq/scaling_min_freq"));
   const bool fixed = *low == *high;
-  return {fixed ? State::kGood : State::kMinor, fmt::format("{}, {} to {} kHz", *name, *low, *high),
-          path};
+  return {fixed ? Condition::kGood : Condition::kMinor,
+          fmt::format("{}, {} to {} kHz", *name, *low, *high), path};
 }
 
 Seen turbo(const Patient&, const HostTree& tree) {
   const string intel = kProcessors + "/intel_pstate/no_turbo";
   if (const auto off = read_text(tree, intel)) {
-    return {*off == "1" ? State::kGood : State::kBad, *off == "1" ? "off" : "on", intel};
+    return {*off == "1" ? Condition::kGood : Condition::kBad, *off == "1" ? "off" : "on", intel};
   }
   const string other = kProcessors + "/cpufreq/boost";
   const auto on = read_text(tree, other);
   if (!on) return not_read(other);
-  return {*on == "0" ? State::kGood : State::kBad, *on == "0" ? "off" : "on", other};
+  return {*on == "0" ? Condition::kGood : Condition::kBad, *on == "0" ? "off" : "on", other};
 }
 
 Seen idle_states(const Patient& patient, const HostTree& tree) {
   if (patient.trials && patient.trials->awake.granted) {
-    return {State::kGood, "kept awake while the loop runs", "/dev/cpu_dma_latency"};
+    return {Condition::kGood, "kept awake while the loop runs", "/dev/cpu_dma_latency"};
   }
   const string folder = of_cpu(patient, "cpuidle");
   const std::vector<string> states = names_in(tree, folder);
@@ -172,7 +172,7 @@ Seen idle_states(const Patient& patient, const HostTree& tree) {
     const string name = read_text(tree, folder + "/" + state + "/name").value_or(state);
     deep += fmt::format("{}{} ({} us)", deep.empty() ? "" : ", ", name, *latency_us);
   }
-  return {deep.empty() ? State::kGood : State::kBad, deep.empty() ? "none deep" : deep,
+  return {deep.empty() ? Condition::kGood : Condition::kBad, deep.empty() ? "none deep" : deep,
           folder + "/state*/latency"};
 }
 

@@ -26,6 +26,6 @@ constexpr Bounds kStoredEnergyBoundsJ = {0, 1000};
 constexpr Bounds kTorqueBoundsNm = {0, 100};
 // A limit that is computed as a quotient or a product may be passed by this fraction, for its
 // rounding.
-constexpr double kRoundingShare = 1e-5;
+constexpr double kRoundingFraction = 1e-5;
 
 }  // namespace stylet::hal

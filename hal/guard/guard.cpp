@@ -23,7 +23,7 @@ double largest_force(const GuardConfig& config, const GuardState& state) {
   const double most = widened(config.max_force_n), always = widened(config.continuous_force_n);
   if (always >= most) return most;
   const double warm = state.heat_n2 / (always * always);
-  const double back = std::max((warm - widened(kWarmShare)) / (1 - widened(kWarmShare)), 0.0);
+  const double back = std::max((warm - widened(kWarmFraction)) / (1 - widened(kWarmFraction)), 0.0);
   const double fall_s = std::max(most / widened(config.max_slew_n_per_s), widened(kDecayS)) / 3 +
                         widened(config.period_s);
   const double left_n2 = std::max(always * always - state.heat_n2, 0.0);
@@ -94,8 +94,8 @@ bool faded(const GuardConfig& config, GuardState& state) {
   const auto end = static_cast<double>(state.fade_ns + ticks_left * period_ns);
   const double wanted = ticks_left > 0 ? 1 - now / end : 0.0;
   const double size = wide_length(state.fade_from_n);
-  const double fall_n =
-      (1 + kRoundingShare) * widened(config.max_slew_n_per_s) * static_cast<double>(step_ns) * 1e-9;
+  const double fall_n = (1 + kRoundingFraction) * widened(config.max_slew_n_per_s) *
+                        static_cast<double>(step_ns) * 1e-9;
   const double least = size > fall_n ? state.fade_left - fall_n / size : 0.0;
   state.fade_left = std::max({wanted, least, 0.0});
   state.force_n = scaled(state.fade_from_n, state.fade_left);

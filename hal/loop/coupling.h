@@ -26,7 +26,7 @@ struct CouplingConfig {
 };
 
 // The coupling uses this fraction of the stiffness that a device can render.
-constexpr double kCouplingShare = 0.7;
+constexpr double kCouplingFraction = 0.7;
 // Averaging times of the device's velocity, which comes in steps of the device's resolution, and of
 // the stiffness that the base meets.
 constexpr float kCouplingVelocityS = 20e-3F, kCouplingStiffnessS = 5e-3F;

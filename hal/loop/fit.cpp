@@ -22,7 +22,7 @@ void fit_force(const DeviceInfo& info, const GripConfig& grip, GuardConfig& guar
   const float slew = std::min(guard.max_slew_n_per_s, info.max_slew_n_per_s);
   guard.max_slew_n_per_s = std::max(slew, guard.max_force_n / kDecayS);
   coupling.max_force_n = guard.max_force_n / grip.force_scale;
-  guard.buzz_n = std::min(guard.buzz_n, static_cast<float>(kBuzzShare) * guard.max_force_n);
+  guard.buzz_n = std::min(guard.buzz_n, static_cast<float>(kBuzzFraction) * guard.max_force_n);
 }
 
 void fit_heat_and_stiffness(const DeviceInfo& info, const GripConfig& grip, GuardConfig& guard,
@@ -49,13 +49,13 @@ void fit_energy(const DeviceInfo& info, GuardConfig& guard) {
       0.5F * std::min(info.max_force_n, model.max_force_n) * std::max({reach.x, reach.y, reach.z});
   guard.passivity_damping_n_s_per_m =
       assumed(guard.passivity_damping_n_s_per_m,
-              static_cast<float>(kPassivityShare) * model.max_damping_n_s_per_m);
+              static_cast<float>(kPassivityFraction) * model.max_damping_n_s_per_m);
 }
 
 }  // namespace
 
 float most_coupling(float limit_n_per_m, const GripConfig& grip) {
-  return static_cast<float>(kCouplingShare) * limit_n_per_m /
+  return static_cast<float>(kCouplingFraction) * limit_n_per_m /
          (grip.motion_scale * grip.force_scale);
 }
 

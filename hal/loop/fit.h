@@ -12,7 +12,7 @@
 namespace stylet::hal {
 
 // Fractions of what the device renders: the controller's damping, and the amplitude of buzzing.
-constexpr double kPassivityShare = 0.5, kBuzzShare = 0.1;
+constexpr double kPassivityFraction = 0.5, kBuzzFraction = 0.1;
 
 // The stiffest coupling at the needle with which the device feels no more than `limit_n_per_m`.
 float most_coupling(float limit_n_per_m, const GripConfig& grip);

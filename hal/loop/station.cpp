@@ -28,8 +28,8 @@ void take_models(StationState& state, const Link& link, std::int64_t now_ns) {
 // How much of the model is felt: it fades in each time models come again, and fades out in the
 // second half of its life. So nothing is left at its end that the guard would have to let fall
 // slowly.
-float model_share(StationState& state, std::int64_t now_ns) {
-  const float out = obeyed_share(state.obeyed, now_ns);
+float model_fraction(StationState& state, std::int64_t now_ns) {
+  const float out = obeyed_fraction(state.obeyed, now_ns);
   if (!(out > 0)) {
     state.fade_ns = 0;
     ++state.starved;
@@ -49,7 +49,7 @@ Vec3 faded(float share, float most, Vec3 v) {
 
 // The newest model, through the guard.
 void render(const StationConfig& config, StationState& state, std::int64_t now_ns) {
-  const float share = model_share(state, now_ns);
+  const float share = model_fraction(state, now_ns);
   const Vec3 at_m = state.guard.pose_m;  // never the position of a sample that the guard refused
   const ForcePacket& newest = state.obeyed.newest;
   state.force_n =

@@ -18,8 +18,8 @@
 #include "hal/base/channel.h"
 #include "hal/record/flight.h"
 #include "hal/record/recording.h"
-#include "hal/score/phases.h"
 #include "hal/score/score.h"
+#include "hal/score/stages.h"
 
 namespace stylet::hal {
 

@@ -82,7 +82,7 @@ void visit(Way way, Flight& flight) {
 Bytes packed(Recorded recorded) {
   Packer packer;
   const auto put = [&packer](const auto& each) { packer.put(each); };
-  packer.put_each(recorded.phases, [](Packer& to, const auto& rows) { to.put(rows); });
+  packer.put_each(recorded.stages, [](Packer& to, const auto& rows) { to.put(rows); });
   packer.put(recorded.events);
   visit_score(put, recorded.score);
   packer.put_each(recorded.flights, [](Packer& to, const Flight& each) {
@@ -97,7 +97,7 @@ Recorded recorded_of(const Bytes& answer) {
   Unpacker unpacker(answer);
   Recorded recorded;
   const auto get = [&unpacker](auto& each) { unpacker.get(each); };
-  unpacker.get_each(recorded.phases, [](Unpacker& from, auto& rows) { from.get(rows); });
+  unpacker.get_each(recorded.stages, [](Unpacker& from, auto& rows) { from.get(rows); });
   get(recorded.events);
   visit_score(get, recorded.score);
   unpacker.get_each(recorded.flights, [](Unpacker& from, Flight& flight) {
@@ -114,10 +114,10 @@ Recorded recorded_of(const Bytes& answer) {
 // True if it fits the task, and has no number that would be unsafe as an index or a name.
 bool sane(const Recorded& recorded, std::size_t needles, std::size_t targets) {
   const auto known = [needles](std::uint32_t needle) { return needle < needles; };
-  const auto of_stage = [](const PhaseRow& row) { return row.stage <= Stage::kExit; };
-  return recorded.phases.size() == needles && recorded.score.targets.size() == targets &&
+  const auto of_stage = [](const StageRow& row) { return row.stage <= Stage::kExit; };
+  return recorded.stages.size() == needles && recorded.score.targets.size() == targets &&
          std::all_of(
-             recorded.phases.begin(), recorded.phases.end(),
+             recorded.stages.begin(), recorded.stages.end(),
              [&](const auto& rows) { return std::all_of(rows.begin(), rows.end(), of_stage); }) &&
          std::all_of(recorded.events.begin(), recorded.events.end(),
                      [&](const Event& each) { return known(each.needle); }) &&
@@ -216,7 +216,7 @@ Recorded outcome(const RecorderTask& task, const Recorder& recorder, const Fligh
   Recorded recorded;
   const Config& config = task.info.config;
   for (std::uint32_t i = 0; i < config.needle_count; ++i) {
-    recorded.phases.push_back(find_phases(recorder.track(i), static_cast<double>(config.period_s),
+    recorded.stages.push_back(find_stages(recorder.track(i), static_cast<double>(config.period_s),
                                           config.needle[i].unit_m));
   }
   recorded.events = recorder.events();

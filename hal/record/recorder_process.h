@@ -21,8 +21,8 @@
 #include "hal/base/side_process.h"
 #include "hal/record/flight.h"
 #include "hal/record/recording.h"
-#include "hal/score/phases.h"
 #include "hal/score/score.h"
+#include "hal/score/stages.h"
 
 namespace stylet::hal {
 
@@ -42,12 +42,12 @@ struct RecorderTask {
 
 // The results of a run.
 struct Recorded {
-  std::vector<std::vector<PhaseRow>> phases;  // for each needle
+  std::vector<std::vector<StageRow>> stages;  // for each needle
   std::vector<Event> events;
   Score score;
   std::vector<Flight> flights;
   std::string error, flight_error;  // of writing; empty: no error
-  bool forgot = false;              // phases and events are only those of the last kMaxTrackPoints
+  bool forgot = false;              // stages and events are only those of the last kMaxTrackPoints
 };
 
 // How the recording ended.

@@ -47,7 +47,7 @@ void read_dynamics(Section& device, float period_s, DeviceDynamics& motion) {
       within(device, "resolution_mm", of(motion.resolution_m), kResolutionBoundsM, 1e3);
   motion.delay_s = si(device.number("delay_ms", of(motion.delay_s) * 1e3, 0, 100), 1e-3);
   const double most_ms = kMaxDelayTicks * of(period_s) * 1e3;
-  if (of(motion.delay_s) * 1e3 > most_ms * (1 + kRoundingShare)) {
+  if (of(motion.delay_s) * 1e3 > most_ms * (1 + kRoundingFraction)) {
     device.fail("delay_ms", fmt::format("at most {} periods of the loop, {:g} ms; it is {:g} ms",
                                         kMaxDelayTicks, most_ms, of(motion.delay_s) * 1e3));
   }
@@ -56,7 +56,7 @@ void read_dynamics(Section& device, float period_s, DeviceDynamics& motion) {
 // Checks that a fault can fade in time.
 void check_slew(const Section& guard, const Section& device, const GuardConfig& config) {
   const double needed = of(config.max_force_n) / of(kDecayS);
-  if (of(config.max_slew_n_per_s) >= needed * (1 - kRoundingShare)) return;
+  if (of(config.max_slew_n_per_s) >= needed * (1 - kRoundingFraction)) return;
   const Section& named = guard.has("max_slew_n_per_s") ? guard : device;
   named.fail("max_slew_n_per_s",
              fmt::format("at least {:g} (max_force_n / {:g} s, so that a fault can fade in time)",
@@ -98,7 +98,7 @@ GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& 
   config.ramp_s = number("ramp_ms", 0.5, kRampBoundsS, 1e3);
   config.watchdog_s = number("watchdog_ms", 3e-3, kWatchdogBoundsS, 1e3);
   config.max_speed_m_per_s = number("max_speed_mm_per_s", 2, kSpeedBoundsMPerS, 1e3);
-  config.buzz_n = number("buzz_n", kBuzzShare * of(config.max_force_n), kBuzzBoundsN);
+  config.buzz_n = number("buzz_n", kBuzzFraction * of(config.max_force_n), kBuzzBoundsN);
   config.continuous_force_n = model.continuous_force_n;
   config.thermal_s = number("thermal_s", of(config.thermal_s), kThermalBoundsS);
   config.dead_man_button = button(guard, "dead_man_button");
@@ -107,7 +107,7 @@ GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& 
   const Vec3 reach = model.workspace_m;
   config.stored_energy_j = 0.5F * model.max_force_n * std::max({reach.x, reach.y, reach.z});
   config.passivity_damping_n_s_per_m =
-      number("passivity_damping_n_s_per_m", kPassivityShare * of(model.max_damping_n_s_per_m),
+      number("passivity_damping_n_s_per_m", kPassivityFraction * of(model.max_damping_n_s_per_m),
              kDampingBoundsNSPerM);
   guard.finish();
   return config;

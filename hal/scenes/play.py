@@ -4,7 +4,7 @@
 
     hal/scenes/play.py [--out FOLDER] [--pictures] [SCENE...]
 
-A scene is named by its file, without folder or ending; none named: all. The organ's recipe is the
+A scene is named by its file, without folder or ending; none named: all. The organ's command is the
 line `# organ: stylet-organ ...` of the scene, `{data}` in it the shared data, `{scenes}` this
 folder. Programs come from STYLET_BIN, else from build/release/bin, in an installed tree from its
 bin. Organ, recording and picture go to FOLDER (default: a new one); --pictures also puts the
@@ -26,22 +26,22 @@ ROOT = HERE.parent.parent
 DATA = pathlib.Path(os.environ.get("STYLET_DATA", ROOT / "../shared/data"))
 BIN = pathlib.Path(os.environ.get("STYLET_BIN", ROOT / "build/release/bin" if
                                   (ROOT / "CMakeLists.txt").exists() else ROOT.parents[1] / "bin"))
-RECIPE = "# organ: "
+MARK = "# organ: "
 
 
 class DataMissing(Exception):
-    """The shared data that a recipe asks for is not there."""
+    """The shared data that an organ is made of is not there."""
 
 
 def scene_names():
-    return sorted(path.stem for path in HERE.glob("*.toml") if recipe_of(path.stem))
+    return sorted(path.stem for path in HERE.glob("*.toml") if organ_command_of(path.stem))
 
 
-def recipe_of(name):
+def organ_command_of(name):
     """The arguments that make the scene's organ, without -o; empty if the file names none."""
     lines = (HERE / f"{name}.toml").read_text().splitlines()
-    recipe = [line[len(RECIPE):] for line in lines if line.startswith(RECIPE)]
-    return shlex.split(recipe[0]) if recipe else []
+    command = [line[len(MARK):] for line in lines if line.startswith(MARK)]
+    return shlex.split(command[0]) if command else []
 
 
 def call(words):
@@ -56,7 +56,7 @@ def call(words):
 
 def organ_words(name):
     """The program and arguments that make the scene's organ, with the places filled in."""
-    program, *arguments = recipe_of(name)
+    program, *arguments = organ_command_of(name)
     for place, path in (("{data}", DATA), ("{scenes}", HERE)):
         arguments = [word.replace(place, str(path)) for word in arguments]
     for word in arguments:

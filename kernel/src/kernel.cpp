@@ -56,8 +56,8 @@ MaterialModel material_model(const Material& m, const Config& config, float edge
   out.lattice_volume_ratio = lambda_pa / (2 * out.lattice_shear_pa);
   out.stiffening = m.strain_stiffening;
   if (config.mode == Mode::kPaper) {
-    const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
-    out.shear_pa = config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m;
+    const float mass_fraction = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
+    out.shear_pa = config.paper_alpha * mass_fraction / (substep_s * substep_s) / edge_m;
     out.lattice_shear_pa = out.shear_pa;
     out.poisson_ratio = out.lattice_volume_ratio = out.skin_shear_n_per_m = 0;
     out.stiffening = 0;

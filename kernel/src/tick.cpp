@@ -61,7 +61,7 @@ struct Moved {
 
 // ---- step 3: contact
 
-struct Search {
+struct SurfaceSearch {
   Vec3 turn;          // of the handle, in this tick
   bool known_before;  // whether the pose before is known
   bool has_left;      // its hole, in this very tick: the next tick must look around it again
@@ -72,7 +72,7 @@ struct Search {
 // the last direction it would press without anybody pushing. False: a bound of the search was
 // reached, so nobody knows whether the tip touches.
 bool seek_contact(const Model& model, State& state, Scratch& scratch, const Needle& needle,
-                  const Search& search, std::uint32_t& flags) {
+                  const SurfaceSearch& search, std::uint32_t& flags) {
   NeedleState& own = *state.needle;
   if (own.phase != Phase::kFree) return true;
   Vec3 rest = {}, place = {};
@@ -183,7 +183,7 @@ void move_needle(const Model& model, State& state, Scratch& scratch, const Input
   }
   out.flags |= place_needle(model, state, scratch, out.shape);  // 2: place
   const bool was_free = own.phase == Phase::kFree;
-  const Search from_outside = {turn, out.known_before, false};
+  const SurfaceSearch from_outside = {turn, out.known_before, false};
   const bool known = seek_contact(model, state, scratch, out.shape, from_outside, out.flags);  // 3
   if (!known && out.known_before) {
     out.flags |= hold_needle(model, state, scratch, out.before, out.shape);
@@ -195,7 +195,7 @@ void move_needle(const Model& model, State& state, Scratch& scratch, const Input
   out.flags |= meet_tissue(model, state, scratch, out.shape);  // 9: bend
   // A needle may have left its hole under other tissue that is pressed or folded over it.
   if (!was_free) {
-    const Search after_leaving = {turn, out.known_before, true};
+    const SurfaceSearch after_leaving = {turn, out.known_before, true};
     (void)seek_contact(model, state, scratch, out.shape, after_leaving, out.flags);
   }
   assert_needle(model, state);

@@ -52,7 +52,7 @@ void run_check(const FileArguments& a) {
 void add_check(CLI::App& app) {
   const auto arguments = std::make_shared<FileArguments>();
   FileArguments& a = *arguments;
-  CLI::App* command = app.add_subcommand("check", "Check that an organ file is whole");
+  CLI::App* command = app.add_subcommand("check", "Check every value and byte of an organ file");
   command->add_option("file", a.file, "Organ file")->type_name("FILE")->required();
   command->add_flag("--json", a.json, "Print one JSON object");
   command->footer(

@@ -73,7 +73,7 @@ void add_hull(CLI::App& app) {
       ->type_name("UNIT")
       ->check(CLI::IsMember(kMetresPerUnit))
       ->capture_default_str();
-  command->add_option("--max-vertices", a.most_vertices, "Vertices that the hull may have")
+  command->add_option("--max-vertices", a.most_vertices, "Most vertices that the hull may have")
       ->type_name("NUMBER")
       ->check(cli::between(kLeastHullVertices, std::size_t{kMaxHullVertices}))
       ->capture_default_str();

@@ -103,9 +103,7 @@ void add_phantom(CLI::App& app) {
   command->add_option("--diameter-mm", a.diameter_mm, "Ball: its diameter")
       ->type_name("MM")
       ->capture_default_str();
-  command
-      ->add_option("--tissue", a.tissue,
-                   "Tissue that it is made of (default: gel; for liver: liver)")
+  command->add_option("--tissue", a.tissue, "Tissue of the body (default: gel; for liver: liver)")
       ->type_name("TISSUE");
   command
       ->add_option("--layer", a.layers,

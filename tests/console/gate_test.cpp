@@ -10,8 +10,8 @@ namespace {
 const GateConfig kLocal = {"127.0.0.1", 7760, ""};
 const GateConfig kOpen = {"192.168.0.5", 7760, "5ec7e7"};
 
-Verdict ask(const GateConfig& config, std::string_view target, std::string_view host,
-            std::string_view origin = "", std::string_view method = "GET") {
+GateAnswer ask(const GateConfig& config, std::string_view target, std::string_view host,
+               std::string_view origin = "", std::string_view method = "GET") {
   return judge(config, {method, target, host, origin});
 }
 

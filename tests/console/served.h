@@ -34,20 +34,20 @@ struct Served : hal::Rig {
     server = std::make_unique<Server>(ServerConfig{gate, {}}, std::move(asked));
     const std::string url = server->url();
     port = static_cast<std::uint16_t>(std::stoul(url.substr(url.find(':', 7) + 1)));
-    show_stage(file);
+    show_view(file);
   }
 
-  void show_stage(const std::shared_ptr<const hal::OrganFile>& file) {
+  void show_view(const std::shared_ptr<const hal::OrganFile>& file) {
     course = hal::place_needle(scene, organ).course;
-    auto stage = std::make_shared<SceneView>();
-    stage->scene = "rig.toml";
-    stage->scenes = {"rig.toml"};
-    stage->period_s = 1e-3F;
-    stage->organ = file;
-    stage->lattice = make_lattice(organ, instance->kernel);
-    stage->needles = {{"simulated", 0.15F, 0.6e-3F, course, 2}};
-    stage->display = std::shared_ptr<hal::Display>(display.get(), [](hal::Display*) {});
-    server->show(stage);
+    auto view = std::make_shared<SceneView>();
+    view->scene = "rig.toml";
+    view->scenes = {"rig.toml"};
+    view->period_s = 1e-3F;
+    view->organ = file;
+    view->lattice = make_lattice(organ, instance->kernel);
+    view->needles = {{"simulated", 0.15F, 0.6e-3F, course, 2}};
+    view->display = std::shared_ptr<hal::Display>(display.get(), [](hal::Display*) {});
+    server->show(view);
   }
 
   // The whole attempt.

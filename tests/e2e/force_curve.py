@@ -115,10 +115,11 @@ def check_drop(curve, faults):
     faults.expect(after.min() > 0, f"puncture: the force reverses to {after.min():.3f} N")
 
 
-def check_insertion(curve, faults, ripple_share):
+def check_insertion(curve, faults, ripple_fraction):
     slope, mean, ripple = insertion(curve)
     faults.within("insertion slope", slope, 5, 50, "N/m")
-    faults.within("insertion ripple", 100 * ripple / mean, 0, 100 * ripple_share, "% of the mean")
+    faults.within("insertion ripple", 100 * ripple / mean, 0, 100 * ripple_fraction,
+                  "% of the mean")
 
 
 def check_hold(curve, faults):
@@ -165,7 +166,7 @@ def check_physical(curve):
     faults = Faults()
     check_rise(curve, faults)
     check_drop(curve, faults)
-    check_insertion(curve, faults, ripple_share=0.02)
+    check_insertion(curve, faults, ripple_fraction=0.02)
     check_hold(curve, faults)
     # Liver's 0.9 N of friction and cutting (60 mm of 18G), six tenths of it after the hold, divided
     # by the axial stiffness at the shaft (2 pi G l / ln(50 mm / a), 690 N/m) plus that at the tip

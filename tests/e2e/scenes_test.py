@@ -63,9 +63,9 @@ class Scene(unittest.TestCase):
         checks = self.run_.checks
         self.assertEqual(checks["ticks"], len(self.run_.time_s))
         self.assertEqual(checks["broken"], "")
-        self.assertGreater(checks["force_share"], 0, "nothing was summed")
-        self.assertLess(checks["force_share"], 1e-6, checks)
-        self.assertLess(checks["torque_share"], 1e-6, checks)
+        self.assertGreater(checks["force_fraction"], 0, "nothing was summed")
+        self.assertLess(checks["force_fraction"], 1e-6, checks)
+        self.assertLess(checks["torque_fraction"], 1e-6, checks)
 
     def kinds(self):
         return [kind for _, kind, _, _ in self.run_.events]
@@ -329,10 +329,10 @@ hold_s = 0.5
         tissue = self.folder / "gel.tissues"
         tissue.write_text(gel.replace("youngs_modulus_kpa = 50",
                                       f"youngs_modulus_kpa = {modulus_kpa}"))
-        recipe = [str(tissue) if word.endswith("steering-gel.tissues") else word
-                  for word in play.recipe_of(self.name)]
+        command = [str(tissue) if word.endswith("steering-gel.tissues") else word
+                  for word in play.organ_command_of(self.name)]
         organ = self.folder / "pushed.organ"
-        play.call([play.BIN / recipe[0], *recipe[1:], "-o", organ])
+        play.call([play.BIN / command[0], *command[1:], "-o", organ])
         recording = self.folder / "pushed.h5"
         play.call([play.BIN / "stylet", "run", scene, "--organ", organ, "--fast", "--force",
                    "--record", recording])

@@ -75,7 +75,7 @@ Json shape_of(const Kernel& kernel, const Organ& organ, const Config& config, st
 // sums they should be, as a fraction of what was summed (for a torque, times the needle's length);
 // and the first broken promise.
 struct Checks {
-  double force_share = 0, torque_share = 0;
+  double force_fraction = 0, torque_fraction = 0;
   std::string broken;
 };
 
@@ -88,8 +88,8 @@ void check(const Kernel& kernel, const Config& config, std::span<const Output> o
     const double size_nm = size_n * static_cast<double>(config.needle[n].length_m);
     const double force = sum.force.distance(outputs[n].force_n) / size_n;
     const double torque = sum.torque.distance(outputs[n].torque_nm) / size_nm;
-    checks.force_share = std::max(checks.force_share, force);
-    checks.torque_share = std::max(checks.torque_share, torque);
+    checks.force_fraction = std::max(checks.force_fraction, force);
+    checks.torque_fraction = std::max(checks.torque_fraction, torque);
   }
   const char* broken = broken_promise(kernel, outputs);
   if (broken == nullptr || !checks.broken.empty()) return;
@@ -123,8 +123,8 @@ void run(const std::string& path, std::vector<std::uint64_t> ticks) {
     }
     out["shapes"].push_back(shape_of(instance.kernel, organ.organ, config, at));
   }
-  out["checks"] = {{"force_share", checks.force_share},
-                   {"torque_share", checks.torque_share},
+  out["checks"] = {{"force_fraction", checks.force_fraction},
+                   {"torque_fraction", checks.torque_fraction},
                    {"broken", checks.broken},
                    {"ticks", done}};
   fmt::print("{}\n", out.dump());

@@ -218,7 +218,7 @@ struct OnBone {
 
 TEST(Coupling, GivesTheHandNoEnergyOnTissueAndBone) {
   const CouplingConfig config = {
-      static_cast<float>(kCouplingShare * 1000)};  // 2 b / T of this device is 1000 N/m
+      static_cast<float>(kCouplingFraction * 1000)};  // 2 b / T of this device is 1000 N/m
   for (unsigned seed = 1; seed <= 5; ++seed) {
     OnBone bone(20e3);
     const Shaken on_bone =

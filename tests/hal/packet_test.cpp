@@ -165,10 +165,10 @@ TEST(Packet, AnObeyedForceFadesInTheSecondHalfOfItsLifeAndStaysAway) {
   ForcePacket packet = some_force();
   const std::int64_t then = packet.echo_t_ns, life = packet.life_ns;
   ObeyedForce obeyed;
-  EXPECT_EQ(obeyed_share(obeyed, then), 0);
+  EXPECT_EQ(obeyed_fraction(obeyed, then), 0);
   ASSERT_TRUE(obey(obeyed, packet, then));
-  EXPECT_EQ(obeyed_share(obeyed, then + life / 2), 1);
-  EXPECT_NEAR(obeyed_share(obeyed, then + life * 3 / 4), 0.5F, 1e-6F);
+  EXPECT_EQ(obeyed_fraction(obeyed, then + life / 2), 1);
+  EXPECT_NEAR(obeyed_fraction(obeyed, then + life * 3 / 4), 0.5F, 1e-6F);
   packet.seq = 6;
   EXPECT_FALSE(obey(obeyed, packet, then)) << "older";
   packet.seq = 8;
@@ -178,13 +178,13 @@ TEST(Packet, AnObeyedForceFadesInTheSecondHalfOfItsLifeAndStaysAway) {
   packet.life_ns = life;
   packet.echo_t_ns = then + 2 * life;
   EXPECT_TRUE(obey(obeyed, packet, then + 2 * life));
-  EXPECT_EQ(obeyed_share(obeyed, then + 2 * life), 0);
+  EXPECT_EQ(obeyed_fraction(obeyed, then + 2 * life), 0);
   packet.seq = 9;
   packet.arming = 5;
   EXPECT_FALSE(obey(obeyed, packet, then + 2 * life)) << "an older arming";
   packet.arming = 7;
   EXPECT_TRUE(obey(obeyed, packet, then + 2 * life));
-  EXPECT_EQ(obeyed_share(obeyed, then + 2 * life), 1);
+  EXPECT_EQ(obeyed_fraction(obeyed, then + 2 * life), 1);
 }
 
 TEST(Packet, TorqueLivesAndEndsWithTheForce) {

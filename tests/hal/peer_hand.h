@@ -150,7 +150,7 @@ class PeerHand {
       obeyed_.stopped = obeyed_.newest.life_ns != 0;
       force_n = {};
     }
-    const float share = obeyed_share(obeyed_, now_ns);
+    const float share = obeyed_fraction(obeyed_, now_ns);
     const Vec3 whole = force_at(obeyed_.newest.model, pose.position_m);
     const double size_n = size(whole);
     const float scale =

@@ -42,7 +42,7 @@ struct Bench {
     guard.passivity_damping_n_s_per_m = 0.5F * model.max_damping_n_s_per_m;
     if (coupled) {
       rig.config.hand[0].coupling = {
-          static_cast<float>(kCouplingShare) * model.max_stiffness_n_per_m, model.max_force_n};
+          static_cast<float>(kCouplingFraction) * model.max_stiffness_n_per_m, model.max_force_n};
     }
     rig.hand.config = {0.05F, 300, 3, model.motion};
     rig.config.ticks = 2000;

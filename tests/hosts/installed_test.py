@@ -144,7 +144,7 @@ class Installed(unittest.TestCase):
         del self.env["HOME"]
         self.assertIn("XDG_CACHE_HOME", self.call(*RUN, expect=1).stderr)
 
-    def test_an_organ_of_another_recipe_is_another(self):
+    def test_an_organ_of_another_command_is_another(self):
         self.stand_in()
         self.call(*RUN)
         scene = self.prefix / "share/stylet/hal/scenes/fig03-puncture.toml"

@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
-#include "drawn_scene.h"
 #include "base/math.h"
 #include "base/vec3d.h"
+#include "drawn_scene.h"
 
 namespace stylet::test {
 namespace {
@@ -114,7 +114,7 @@ void print(std::uint64_t index, const DrawnScene& scene, const Felt& felt) {
   std::printf("scene %llu kind %s hands %zu finite %d unstable %d held %d ",
               static_cast<unsigned long long>(index), kind_name(scene.kind), scene.hands.size(),
               felt.finite ? 1 : 0, felt.unstable ? 1 : 0, felt.held ? 1 : 0);
-  std::printf("tremble_n %.9g least_j %.9g left_share %.9g hash %016llx\n", felt.tremble_n,
+  std::printf("tremble_n %.9g least_j %.9g left_fraction %.9g hash %016llx\n", felt.tremble_n,
               felt.least_j, felt.left_j / std::max(felt.most_stored_j, 1e-12),
               static_cast<unsigned long long>(felt.hash));
   for (const Vec3& n : felt.window_n) {

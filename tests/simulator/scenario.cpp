@@ -214,7 +214,7 @@ HandPlan draw_hand(Draw& draw, const Organ& organ, const Config& config, float l
   if (draw.chance(0.5)) {
     plan.turn_per_s = {draw.between(-0.1, 0.1), draw.between(-0.1, 0.1), draw.between(-3, 3)};
   }
-  if (draw.chance(0.5)) plan.bad_share = static_cast<double>(draw.magnitude(1e-3, 0.1));
+  if (draw.chance(0.5)) plan.bad_fraction = static_cast<double>(draw.magnitude(1e-3, 0.1));
   if (draw.chance(0.1)) plan.dead_from_s = static_cast<double>(draw.between(0, 2));
   return plan;
 }
@@ -229,7 +229,7 @@ void draw_nets(Draw draw, bool gentle, HandPlan& plan) {
   guard.max_speed_m_per_s = gentle ? 2 : draw.magnitude(0.1, 20);
   if (gentle || draw.chance(0.7)) return;
   guard.dead_man_button = static_cast<std::int32_t>(draw.below(32));
-  plan.release_share = static_cast<double>(draw.magnitude(1e-4, 1e-2));
+  plan.release_fraction = static_cast<double>(draw.magnitude(1e-4, 1e-2));
 }
 
 // In, and rest; sideways and back; deeper, to where bone may be; some way back, and out. The rests
@@ -309,7 +309,7 @@ Scenario draw_scenario(std::uint64_t seed, Further further) {
   scenario.config = draw_config(draw);
   scenario.obstacles = draw_obstacles(draw, scenario.organ->organ);
   scenario.gentle = draw.chance(0.3);
-  if (draw.chance(0.3)) scenario.late_share = static_cast<double>(draw.magnitude(1e-3, 0.02));
+  if (draw.chance(0.3)) scenario.late_fraction = static_cast<double>(draw.magnitude(1e-3, 0.02));
   for (std::uint32_t i = 0; i < scenario.config.needle_count; ++i) {
     scenario.hands.push_back(draw_hand(draw, scenario.organ->organ, scenario.config,
                                        scenario.config.needle[i].length_m, scenario.gentle));

@@ -26,11 +26,11 @@ struct HandPlan {
   hal::DeviceInfo limits;
   hal::SimulatedHandConfig hand;
   std::vector<hal::Waypoint> waypoints;
-  float start_m = 0;         // tip outside the surface
-  Vec3 turn_per_s = {};      // of the handle, as the vector part of a quaternion
-  double bad_share = 0;      // fraction of samples that are spoiled
-  double release_share = 0;  // fraction of samples that release the dead man's button
-  double dead_from_s = 1e9;  // the device is silent from here on
+  float start_m = 0;            // tip outside the surface
+  Vec3 turn_per_s = {};         // of the handle, as the vector part of a quaternion
+  double bad_fraction = 0;      // fraction of samples that are spoiled
+  double release_fraction = 0;  // fraction of samples that release the dead man's button
+  double dead_from_s = 1e9;     // the device is silent from here on
 };
 
 // Largest speeds of a gentle hand: a person who takes care.
@@ -43,7 +43,7 @@ struct Scenario {
   Config config;
   std::vector<ObstacleConfig> obstacles;
   std::vector<HandPlan> hands;
-  double late_share = 0;  // fraction of ticks for which the loop wakes up too late
+  double late_fraction = 0;  // fraction of ticks for which the loop wakes up too late
   std::uint64_t ticks = 0;
 };
 

@@ -119,7 +119,7 @@ void turn(Player& player, hal::Sample& sample) {
 void press(Player& player, hal::Sample& sample) {
   const std::int32_t number = player.plan->guard.dead_man_button;
   if (number < 0) return;
-  if (player.button_draw.chance(player.pressed ? player.plan->release_share : 0.02)) {
+  if (player.button_draw.chance(player.pressed ? player.plan->release_fraction : 0.02)) {
     player.pressed = !player.pressed;
   }
   sample.buttons = player.pressed ? 1U << static_cast<std::uint32_t>(number) : 0;
@@ -140,7 +140,7 @@ bool read(void* self, std::int64_t now_ns, hal::Sample& sample_out) {
   const double time_s = static_cast<double>(player.hand.tick) * player.period_s;
   if (!player.leaving && time_s >= player.plan->dead_from_s) return false;
   if (!player.leaving && player.spoiled_in_a_row == 0 &&
-      player.draw.chance(player.plan->bad_share)) {
+      player.draw.chance(player.plan->bad_fraction)) {
     player.kind = player.draw.below(7);
     player.spoiled_in_a_row = 1 + (player.draw.chance(0.2) ? player.draw.below(40) : 0);
   }
@@ -508,7 +508,7 @@ void between_ticks(Simulation& s) {
       s.verdict.faults += guard_rearm(guard, guard.fault) ? 1 : 0;
     }
   }
-  if (s.draw.chance(s.scenario.late_share)) {
+  if (s.draw.chance(s.scenario.late_fraction)) {
     s.time.now_ns += s.config.period_ns * (1 + s.draw.below(s.draw.chance(0.1) ? 30 : 3));
   }
 }

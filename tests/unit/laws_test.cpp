@@ -393,7 +393,7 @@ double gain_of(const Filter& filter, double frequency_per_s2) {
 }
 
 // Largest z p(z), where T_n is -1.
-double share_left(int degree, double damping) {
+double fraction_left(int degree, double damping) {
   const double w = 1 + damping / (degree * degree);
   return (1 + chebyshev(degree, w)) / ((1 + w) * chebyshev_slope(degree, w));
 }
@@ -411,7 +411,7 @@ TEST(FilterLaw, HasTheGainOfChebyshevsPolynomialAtEveryFrequency) {
     const int degree = static_cast<int>(filter.passes) + 1;
     double damping = 1;
     for (double step = 1; step > 1e-7; step /= 2) {
-      if (damping + step <= 2 && share_left(degree, damping + step) * fastest <= limit) {
+      if (damping + step <= 2 && fraction_left(degree, damping + step) * fastest <= limit) {
         damping += step;
       }
     }

@@ -157,7 +157,7 @@ TEST(Snapshot, IndicesAndCountsAreCheckedAgainstTheModel) {
       {"no spring", [](State& s) { s.shaft->stiffness_n_per_m = 0; }},
       {"no full spring", [](State& s) { s.shaft->full_stiffness_n_per_m = 0; }},
       {"more than all", [](State& s) { s.shaft->relaxing_fraction = 1.1F; }},
-      {"more than whole", [](State& s) { s.rod_shape->step_share = 1.1; }},
+      {"more than whole", [](State& s) { s.rod_shape->step_length = 1.1; }},
       {"material", [=](State& s) { s.tip->material = materials; }},
       {"rod", [](State& s) { s.rod_shape->direction[3].y += 0.5; }},
       {"touch.rod", [&](State& s) { s.touch->rod = view.model.rod->rods; }},

@@ -13,6 +13,7 @@ import built  # noqa: E402
 import compile_times  # noqa: E402
 import coverage  # noqa: E402
 import drivers  # noqa: E402
+import fields  # noqa: E402
 import headers  # noqa: E402
 import links  # noqa: E402
 import loops  # noqa: E402
@@ -52,9 +53,9 @@ class Sample(unittest.TestCase):
 
 
 class CompileTimes(Sample):
-    def log(self, *rows):
+    def log(self, *rows, launcher=""):
         self.write("slow.py", "import time\nwhile time.process_time() < 0.5: pass\n")
-        self.write("build.ninja", "rule run\n  command = python3 slow.py -o $out\n"
+        self.write("build.ninja", f"rule run\n  command = {launcher}python3 slow.py -o $out\n"
                                   "build a.cpp.o: run\n")
         self.write(".ninja_log", "# ninja log v5\n" + "".join(
             f"0\t{ms}\t0\t{output}\t0\n" for output, ms in rows))
@@ -66,6 +67,13 @@ class CompileTimes(Sample):
     def test_accepts_what_took_long_only_in_the_log(self):
         self.log(("a.cpp.o", 9000))
         self.assertEqual(list(compile_times.faults(self.top, 8)), [])
+
+    def test_compiles_large_objects_that_came_out_of_the_cache(self):
+        self.log(("a.cpp.o", 20), launcher="ccache ")
+        self.write("a.cpp.o", "a" * 100)
+        self.assertEqual(list(compile_times.faults(self.top, 0.3)), [])
+        self.write("a.cpp.o", "a" * (compile_times.LARGE_BYTES + 1))
+        self.expect_one(compile_times.faults(self.top, 0.3), "a.cpp.o", "allowed are 0.3")
 
     def test_looks_only_at_what_the_log_says_and_the_build_has(self):
         self.log(("a.cpp.o", 1000), ("a.cpp.o", 200), ("gone.cpp.o", 1000))
@@ -103,6 +111,24 @@ class Mutation(unittest.TestCase):
         self.assertIn("if (a >= b) c += 2; // 3 < 4", lines)
         self.assertIn("if (a < b) c -= 2; // 3 < 4", lines)
         self.assertFalse([line for line in lines if not line.endswith("3 < 4")], lines)
+
+
+class Fields(Sample):
+    def test_accepts_comments_behind_and_above(self):
+        self.write("a.h", "struct A {\n  int a;  // of one\n  // Of two.\n  int b, c;\n"
+                          "  float d[2];\n  struct B {\n    int e;  // of three\n  };\n"
+                          "  int f(int g) const { return g; }\n};\nint g;\n")
+        self.assertEqual(list(fields.faults([self.top])), [])
+
+    def test_refuses_a_field_without_any(self):
+        for above in ("", "  int a;  // of one\n", "  // Of one.\n  int a;\n\n"):
+            for field in ("std::uint32_t b, c;", "Vec3 b;", "const Side b[2];",
+                          "Field<int> b = {};"):
+                header = self.write("a.h", f"struct A {{\n{above}  {field}\n}};\n")
+                self.expect_one(fields.faults([header]), f"a.h:{2 + above.count(chr(10))}", field)
+
+    def test_refuses_nothing_found(self):
+        self.expect_one(fields.faults([self.top]), "no header")
 
 
 class Headers(Sample):
@@ -561,6 +587,40 @@ class Tidy(Sample):
         self.write("hal/a.cpp", APACHE + "int a;\n" * 500)
         self.write("tests/a.cpp", APACHE + "int a;\n" * 500)
         self.expect_one(self.faults(), "hal/a.cpp", "501 lines")
+
+    def test_other_languages_have_the_same_bounds(self):
+        for ending in ("ts", "mjs", "css", "py", "c"):
+            with self.subTest(ending):
+                self.write(f"hal/a.{ending}", APACHE + "a;\n" * 500)
+                self.expect_one(self.faults(), f"hal/a.{ending}", "501 lines")
+                self.write(f"hal/a.{ending}", APACHE + "a" * 101 + "\n")
+                self.expect_one(self.faults(), f"hal/a.{ending}:2", "101 columns")
+                (self.top / f"hal/a.{ending}").unlink()
+
+    def test_refuses_letters_that_nothing_explains(self):
+        self.write("hal/guard/GUARD.md", "| R1 | A force shall be small. | |\n")
+        self.write("hal/a.md", "**K**: decisions\n\n| 3 (K) | GUARD.md, R1 |\n")
+        self.assertEqual(list(self.faults()), [])
+        self.write("hal/a.md", "**K**: decisions\n\n| 3 (" "L) | 2 |\n")
+        self.expect_one(self.faults(), "hal/a.md:3", "the letter L")
+        self.write("hal/a.md", "see GUARD.md, R2\n")
+        self.expect_one(self.faults(), "hal/a.md:1", "no requirement R2")
+
+    def test_refuses_two_types_of_one_name(self):
+        self.write("kernel/src/a/a.h", APACHE + "struct Energy {\n};\nclass Later;\n")
+        self.write("hal/a.h", APACHE + "struct Energy {\n};\nclass Later final {\n};\n")
+        self.assertEqual(list(self.faults()), [])
+        self.write("kernel/include/b.h", APACHE + "enum class Energy : int {\n};\n")
+        found = list(self.faults())
+        self.assertEqual(len(found), 2, found)
+
+    def test_refuses_files_and_constants_that_are_gone(self):
+        self.write("hal/room/a.h", APACHE + "constexpr int kHere = 1;\n")
+        self.write("hal/a.md", "`room/a.h`, `a.h`, `kHere`, `NAME_bench.cpp`\n")
+        self.assertEqual(list(self.faults()), [])
+        self.write("hal/a.md", "`kGone`\n\n`room/b.h`\n")
+        found = list(self.faults())
+        self.assertEqual(len(found), 2, found)
 
     def test_refuses_dead_links(self):
         self.write("hal/b.md", "# b\n")

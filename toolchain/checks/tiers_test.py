@@ -61,6 +61,7 @@ class Tiers(unittest.TestCase):
 
     FAST = [("release", SHORT)]
     FULL = FAST + [("release", "-L ^full$ --no-tests=ignore"),
+                   ("invariants", SHORT + " -R ^(coupling|insertion)_"),
                    ("sanitize", SHORT + r" -E ^(check|rt_host|cross|rt\.determinism|fuzz\.short|"
                     r"bench|offline\.cohort|coupling_energy)|ripple|calculix"),
                    ("sanitize-threads", SHORT + " -R ^(hal|rt_team|console)|InTwoThreads"

@@ -9,7 +9,7 @@
 namespace stylet::hal {
 namespace {
 
-struct Target {
+struct HandTarget {
   double position_m[3];
   double velocity_m_per_s[3];
   double turns;
@@ -25,7 +25,7 @@ double turns_at(const ScriptPoint& a, const ScriptPoint& b, double fraction) {
 }
 
 // Keeps the segment found last, because the script is only ever read forward.
-Target target_at(SimulatedHand& hand, double t_s) {
+HandTarget target_at(SimulatedHand& hand, double t_s) {
   const std::vector<ScriptPoint>& script = hand.script;
   while (hand.segment + 2 < script.size() && t_s >= script[hand.segment + 1].t_s) ++hand.segment;
   const ScriptPoint& a = script[hand.segment];
@@ -52,7 +52,7 @@ double rubbed(const double (&velocity)[3], double most) {
 }
 
 // m a = k (target - x) + c (target velocity - v) + force - device, by the implicit midpoint rule.
-void step(SimulatedHand& hand, const Target& target, double h) {
+void step(SimulatedHand& hand, const HandTarget& target, double h) {
   const DeviceDynamics& device = hand.config.device;
   const double m = of(hand.config.mass_kg) + of(device.mass_kg);
   const double k = of(hand.config.stiffness_n_per_m), c = of(hand.config.damping_n_s_per_m);
@@ -107,7 +107,7 @@ bool read(void* self, std::int64_t now_ns, Sample& sample_out) {
   }
   ++hand.tick;
   const double now_s = static_cast<double>(hand.tick) * hand.period_s;
-  const Target now = target_at(hand, now_s);
+  const HandTarget now = target_at(hand, now_s);
   const SineCosine half = sine_cosine(0.5 * now.turns);
   sample_out = {hand.tick,
                 now_ns,

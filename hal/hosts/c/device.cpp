@@ -64,9 +64,10 @@ stylet_status check(const stylet_device_functions& f, stylet_refusal* refusal_ou
   FirstOutside first(0);
   first.check("device.max_force_n", wide(f.max_force_n), 0, hal::kForceBoundsN.most);
   // At least so much that a fault can fade in time.
-  first.check("device.max_slew_n_per_s", wide(f.max_slew_n_per_s),
-              (1 - hal::kRoundingShare) * std::max(wide(f.max_force_n), 0.0) / wide(hal::kDecayS),
-              hal::kSlewBoundsNPerS.most);
+  first.check(
+      "device.max_slew_n_per_s", wide(f.max_slew_n_per_s),
+      (1 - hal::kRoundingFraction) * std::max(wide(f.max_force_n), 0.0) / wide(hal::kDecayS),
+      hal::kSlewBoundsNPerS.most);
   first.check("device.max_stiffness_n_per_m", wide(f.max_stiffness_n_per_m), 0,
               hal::kStiffnessBoundsNPerM.most);
   first.check("device.continuous_force_n", wide(f.continuous_force_n), 0, hal::kForceBoundsN.most);

@@ -50,7 +50,7 @@ stylet_status check(const stylet_guard_config& c, std::uint32_t index,
   };
   within("guard.period_s", c.period_s, {wide(kMinPeriodS), wide(kMaxPeriodS)});
   within("guard.max_force_n", c.max_force_n, hal::kForceBoundsN);
-  const double least_slew = (1 - hal::kRoundingShare) * wide(c.max_force_n) / kDecay;
+  const double least_slew = (1 - hal::kRoundingFraction) * wide(c.max_force_n) / kDecay;
   const hal::Bounds slew = hal::kSlewBoundsNPerS, watchdog = hal::kWatchdogBoundsS;
   within("guard.max_slew_n_per_s", c.max_slew_n_per_s,
          {std::max(slew.least, least_slew), slew.most});
@@ -71,7 +71,7 @@ stylet_status check(const stylet_guard_config& c, std::uint32_t index,
   within("guard.device_friction_n", c.device_friction_n, hal::kDeviceFrictionBoundsN);
   within("guard.device_resolution_m", c.device_resolution_m, hal::kResolutionBoundsM);
   within("guard.device_delay_s", c.device_delay_s,
-         {0, (1 + hal::kRoundingShare) * hal::kMaxDelayTicks * wide(c.period_s)});
+         {0, (1 + hal::kRoundingFraction) * hal::kMaxDelayTicks * wide(c.period_s)});
   within("guard.stored_energy_j", c.stored_energy_j, hal::kStoredEnergyBoundsJ);
   within("guard.passivity_damping_n_s_per_m", c.passivity_damping_n_s_per_m,
          hal::kDampingBoundsNSPerM);

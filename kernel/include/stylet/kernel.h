@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel: one organ, its needles, one fixed step. See kernel/README.md for the picture.
+// The kernel: the tissue of one organ and the needles in it, stepped with one fixed period. A
+// picture is in kernel/README.md.
 //
 // Promises, from create to the end of the process: no allocation, lock, system call, exception or
 // log; a bounded number of operations per tick that does not depend on the data; the same bits for
@@ -27,21 +28,22 @@ enum class Mode : std::uint32_t {
   kPaper = 1,     // the paper's rules: its stiffness, node puncture, whole-unit re-association
 };
 
-// How the explicit step is kept stable for any material. Forces at rest are the same in both.
+// How the explicit step is kept stable for any material. Forces at rest are the same with both.
 enum class Inertia : std::uint32_t {
-  // The step adds mass where it needs it: liver in 5 mm voxels is 5 times too heavy at two
-  // substeps; a hand at 4 Hz feels 0.6 to 1.3 of the force, near a resonance many times the force.
+  // Mass is added where the step needs it: liver in 5 mm voxels is 5 times too heavy with two
+  // substeps. A hand that swings at 4 Hz feels 0.6 to 1.3 times the right force, near a resonance
+  // many times it.
   kAddedMass = 0,
   // Tissue keeps its true mass. Short waves, which no hand feels, are slowed instead (filter.h):
   // in as many passes as the stiffest tissue needs (filter_passes).
   kTrueMass = 1,
 };
 
-// What closes the needle's other end.
+// What is at the end of the needle outside of the body.
 enum class Hub : std::uint32_t {
   kClosed = 0,   // nothing flows, and fluid costs nothing
-  kOpen = 1,     // to the air
-  kSyringe = 2,  // Input::plunger_n presses it
+  kOpen = 1,     // open to the air
+  kSyringe = 2,  // Input::plunger_n is the force on its plunger
 };
 
 // The needle leaves the handle along its -z; unbent, tip = position + rotation * (0, 0, -length).
@@ -58,27 +60,27 @@ struct NeedleConfig {
   float bent_length_m = 0;  // pre-bent tip: its length, and its angle to the shaft at rest
   float bent_angle_rad = 0;
   float torsion_nm2 = 0;  // GJ of the shaft; 0: the tip rolls with the hand
-  // Half of the tip's included angle: from its axis to its surface. It says how fast contact
-  // widens. 15 degrees.
+  // Half of the tip's included angle, between its axis and its surface; contact widens with its
+  // tangent. 15 degrees.
   float tip_half_angle_rad = 0.261799388F;
-  // Length of the crack that the tip tears, in outer diameters: 1 for a tip with edges, more for
-  // one that has none (hal/base/needles.h). Only felt in tissues whose toughness is given.
+  // Length of the crack that the tip tears, in outer diameters: 1 for a tip with edges, more for a
+  // tip without (hal/base/needles.h). Only felt in tissues that have a toughness.
   float torn_diameters = 1.5F;
-  // Fluid in the bore (PHYSICS 9.9). What follows is only read where the hub is not closed.
+  // Fluid in the bore (PHYSICS 9.9). The fields below are read only if the hub is not closed.
   Hub hub = Hub::kClosed;
   float bore_radius_m = 0.419e-3F;  // 18G
-  float opening_m = 0;              // its middle, from the tip
-  float filling_pa_s = 1e-3F;       // viscosity of what needle and syringe are filled with: saline
+  float opening_m = 0;              // from the tip to the middle of the bore's opening
+  float filling_pa_s = 1e-3F;       // viscosity of the liquid in needle and syringe: saline
   float plunger_radius_m = 7.5e-3F;
   float plunger_friction_n = 0.5F;
   float syringe_m3 = 10e-6F;     // of the whole barrel
   float syringe_filled = 0.5F;   // part of it that is full at the start
-  float syringe_gas_m3 = 5e-8F;  // the bubble, or all that gives: a twentieth of a millilitre
+  float syringe_gas_m3 = 5e-8F;  // the bubble, or any other elasticity: 0.05 ml
 };
 
-// All attachments move together in a prescribed way, A sin^4(pi t / T): a breath that rests at its
-// start (Lujan et al. 1999). The kernel works in the frame of the attachments. It leaves out the
-// inertia of their motion, which is a hundredth of gravity for a breath.
+// The prescribed motion of all attachments together, A sin^4(pi t / T): a breath that rests at its
+// start (Lujan et al. 1999). The kernel works in the frame of the attachments and leaves out the
+// inertial force of that frame's motion, which for a breath is a hundredth of gravity.
 struct BreathingConfig {
   Vec3 amplitude_m = {0, 0, 0};
   float period_s = 4;
@@ -87,7 +89,7 @@ struct BreathingConfig {
 struct Config {
   Mode mode = Mode::kPhysical;
   float period_s = 1e-3F;
-  std::uint32_t substeps = 1;  // with added mass better 2: with 1 it adds three times as much
+  std::uint32_t substeps = 1;  // better 2 with added mass: 1 adds three times as much
   Inertia inertia = Inertia::kTrueMass;
   float tissue_damping_s = 0.25e-3F;  // Kelvin-Voigt time constant of the tissue
   float surround_drag_per_s =
@@ -97,9 +99,9 @@ struct Config {
   std::uint32_t needle_count = 1;        // needles in this tissue, each with its own hand
   NeedleConfig needle[kMaxNeedles];
   BreathingConfig breathing;
-  // Gravity that the shape at rest does not have in it: none if an organ lies as it lay when its
-  // shape was taken, the difference of the two if it was turned since, all of it if the shape was
-  // weightless. It comes in over the first kGravityFadeS, then the organ hangs where it belongs.
+  // Gravity now, less the gravity under which the organ's shape was taken: zero if the organ still
+  // lies as it lay then; all of gravity if the shape is one without weight. It comes in over the
+  // first kGravityFadeS, and the organ sinks to where it hangs.
   Vec3 gravity_m_per_s2 = {0, 0, 0};
 };
 
@@ -110,18 +112,18 @@ struct ObstacleConfig {
   std::uint32_t vertex_count = 0;
   Vec3 vertices_m[kMaxHullVertices] = {};
   float rounding_m = 0;
-  // The contact. Its defaults, which scenes and hosts take from here, are chosen, not measured:
-  // real bone is stiffer and bears more than any device renders. So the stiffness is one with which
-  // the loop is tested, and the force is more than any device has (device/model.h).
-  float stiffness_n_per_m = 20e3F;  // both ways; at most kMaxRodStiffnessNPerM
+  // The contact. The defaults, which scenes and hosts take from here, are chosen, not measured,
+  // because real bone is stiffer and bears more than any device renders. The loop is tested with
+  // this stiffness, and the largest force is more than any device has (hal/device/model.h).
+  float stiffness_n_per_m = 20e3F;  // along and across; at most kMaxRodStiffnessNPerM
   float largest_force_n = 50;       // what the normal force approaches as the needle is pressed in
   float friction = 0.3F;            // Coulomb coefficient
 };
 
-// Why a configuration was refused: the first field outside its limits. Vectors and quaternions are
-// told by their length (a quaternion's squared). `field` is static text, written as in the structs
+// Why a configuration was refused: the first field outside its limits. For a vector `value` is its
+// length, for a quaternion its squared length. `field` is static text, written as in the structs
 // above: "needle.length_m", "obstacle.friction"; `index` says which needle or obstacle. An empty
-// field: it was not the configuration.
+// `field` means that the configuration was not the reason.
 struct ConfigRefusal {
   const char* field = "";
   std::uint32_t index = 0;
@@ -139,7 +141,7 @@ void make_sphere(ObstacleConfig& config, float radius_m);
 struct Sizes {
   std::size_t model_bytes;    // derived from organ and config at creation, constant afterwards
   std::size_t state_bytes;    // all that changes and matters
-  std::size_t scratch_bytes;  // content never influences a result
+  std::size_t scratch_bytes;  // its content between ticks never influences a result
 };
 constexpr std::size_t kBlockAlignment = 64;
 
@@ -163,15 +165,16 @@ struct Kernel {
 // count the bytes of a block (32 bits).
 Status sizes(const Organ& organ, const Config& config, Sizes& sizes_out,
              ConfigRefusal* refusal_out = nullptr);
-// On kMemoryTooSmall or kMemoryNotAligned nothing was written. Ends with reset.
+// On kMemoryTooSmall or kMemoryNotAligned nothing was written. On success the kernel is as after
+// reset.
 Status create(const Organ& organ, const Config& config, const Memory& memory, Kernel& kernel_out,
               ConfigRefusal* refusal_out = nullptr);
 // Back to tick 0: tissue at rest, needles away, no track. Obstacles stay.
 void reset(Kernel& kernel);
 
-// Bodies that no needle enters, fixed in the world: at most kMaxObstacles, replacing those given
-// before. Call it before the first tick after create or reset (later: kObstaclesTooLate). On an
-// error nothing changes.
+// Sets the bodies that no needle enters, fixed in the world: at most kMaxObstacles, in place of all
+// earlier ones. Call it after create or reset and before the next tick (later: kObstaclesTooLate).
+// On an error nothing changes.
 Status set_obstacles(Kernel& kernel, std::span<const ObstacleConfig> obstacles,
                      ConfigRefusal* refusal_out = nullptr);
 
@@ -194,13 +197,13 @@ struct ForceByCause {  // each on the needle, world frame; their sum is Output::
   Vec3 obstacle_n;     // contact with obstacles
 };
 
-// What flows through a needle whose hub is not closed; else zero. Pressures above that of the air;
-// flow and volumes towards the tissue.
+// The flow through a needle; zero if its hub is closed. Pressures are above that of the air; flow
+// and volumes are positive towards the tissue.
 struct Flow {
   float opening_pa, hub_pa;
   float flow_m3_per_s;  // mean of this tick
-  float injected_m3;    // since reset; below 0: more was taken than given
-  float plunger_m;      // its way since reset, towards the needle
+  float injected_m3;    // since reset; below 0: more was drawn than injected
+  float plunger_m;      // displacement of the plunger since reset, towards the needle
   float plunger_m_per_s;
   float filled;  // part of the bore that the tissue's fluid fills
 };
@@ -223,7 +226,7 @@ struct Output {
   Vec3 torque_nm;      // about the handle's position
   ForceByCause cause;
   Vec3 tip_m;
-  float depth_m;  // of the tip along its track, in tissue at rest, gaps included
+  float depth_m;  // of the tip along its track, in the tissue at rest, including gaps
   Phase phase;
   std::uint32_t layer;  // material under the tip; kNoLayer outside
   std::uint32_t constraint_particles;
@@ -242,10 +245,10 @@ Output tick(Kernel& kernel, const Input& input);
 
 // ==== Helper threads
 // ================================================================================
-// Threads of the caller may take part in the tissue step. The bits depend neither on their number
-// nor on whether they come in time: tick does whatever no helper has begun. It waits for what a
-// helper has begun, so helpers need the priority and the floating-point mode of the thread that
-// ticks. The kernel starts no thread, takes no lock and makes no system call.
+// Threads of the caller may take part in the tissue step. The bits depend neither on the number of
+// helpers nor on when they come: tick does every part that no helper has begun. But it waits for a
+// part that a helper has begun, so helpers need the priority and the floating-point mode of the
+// thread that ticks. The kernel starts no thread, takes no lock and makes no system call.
 
 // Exact number of bytes that set_team needs for this kernel's organ.
 std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers);
@@ -253,9 +256,9 @@ std::size_t team_bytes(const Kernel& kernel, std::uint32_t helpers);
 // thread. The memory must outlive the team; 0 helpers end it. On an error nothing changes.
 Status set_team(Kernel& kernel, std::uint32_t helpers, std::span<std::byte> memory);
 bool has_team(const Kernel& kernel);
-// A helper's thread calls this again and again, with any copy of the kernel. It looks `looks`
-// times (about 40 ns each) for a part to be done, does one, and returns whether it found one.
-// Without a team it finds none.
+// The thread of a helper calls this again and again, with any copy of the kernel. The call looks up
+// to `looks` times (about 40 ns each) for a part of the step, does the first that it finds, and
+// returns whether it found one. Without a team it finds none.
 bool help(const Kernel& kernel, std::uint32_t looks);
 
 // ==== What happened
@@ -270,7 +273,7 @@ enum class EventKind : std::uint32_t {
   kLayer = 5,      // tip crossed into another material
   kObstacle = 6,   // needle touched an obstacle
   kFlashback = 7,  // fluid of the tissue has filled the bore: it shows at the hub
-  // A plunger is pressed, and the tissue at the opening resists less than the bore; before, more.
+  // While a plunger is pressed, the resistance of the tissue falls below that of the bore.
   kLossOfResistance = 8,
 };
 const char* event_name(EventKind kind);
@@ -280,7 +283,7 @@ struct Event {
   EventKind kind;
   std::uint32_t layer;
   float depth_m;
-  float force_n;  // magnitude along the shaft at the event; of the last two kinds, on the plunger
+  float force_n;  // magnitude along the shaft; for the last two kinds the force on the plunger
   std::uint32_t needle;
   std::uint32_t reserved;
 };
@@ -295,7 +298,7 @@ struct Pool {
 struct Stats {
   std::uint64_t ticks;
   Pool constraint_particles;  // of all needles; capacity and used_max are per needle
-  Pool coupled_voxels;        // of all needles; `used` is always 0: not kept after a tick
+  Pool coupled_voxels;        // of all needles; `used` is 0, because a tick frees them at its end
   Pool tracks;
   Pool obstacle_contacts;
   std::uint64_t input_not_finite, input_clamped, input_missing;
@@ -306,8 +309,8 @@ struct Stats {
 };
 Stats stats(const Kernel& kernel);
 
-// Mass added to keep the step stable, per material: real mass and mass in the step, kg. With true
-// mass the two are the same where kMaxFilterPasses are enough.
+// Real mass and mass in the step of the voxels of a material, kg. The difference is the mass that
+// keeps the step stable. With true mass there is none as long as kMaxFilterPasses are enough.
 struct MassReport {
   float real_kg, stepped_kg;
 };
@@ -346,8 +349,8 @@ std::uint32_t surface(const Kernel& kernel, std::span<Vec3> positions_out);
 // voxel names them as a corner, and they carry nothing.
 std::uint32_t particle_count(const Kernel& kernel);
 std::uint32_t voxel_corners(const Kernel& kernel, std::span<std::uint32_t> corners_out);
-// How far each particle is from its place at rest: particle_count vectors. It is a plain copy, so
-// it may be called between two ticks of the loop. Returns the number written.
+// The displacement of each particle from its place at rest: particle_count vectors. The function
+// only copies, so the loop may call it between two ticks. Returns the number written.
 std::uint32_t particles(const Kernel& kernel, std::span<Vec3> moved_out_m);
 
 // Energies of tissue and needles, J (cold path, double precision inside).
@@ -364,15 +367,15 @@ Energy energy(const Kernel& kernel);
 // ==== Save, restore, compare
 // ========================================================================
 
-// A snapshot is the state block behind a header. It fits any kernel of the same organ, config and
-// obstacles (bytes that do not matter may differ, such as needles beyond needle_count) whose state
-// has the same layout. restore refuses all other bytes: kSnapshotDoesNotMatch for another header,
-// kSnapshotDamaged for a wrong checksum and for an index, a count or a number that no tick leaves
-// (not finite: only with a latched fault). Then nothing changes. A state that it accepts does no
-// harm in any number of ticks: forces are finite, or the fault latches.
+// A snapshot is a header followed by the state block. It can be restored into any kernel whose
+// organ, config, obstacles and layout of the state are the same (config bytes without effect, such
+// as needles beyond needle_count, may differ). restore refuses all other bytes and then changes
+// nothing: kSnapshotDoesNotMatch if the header differs; kSnapshotDamaged for a wrong checksum, and
+// for an index, a count or a number that no tick can leave (such as a number that is not finite
+// without a latched fault). An accepted state does no harm in any number of ticks: forces are
+// finite, or the fault latches.
 std::size_t snapshot_bytes(const Kernel& kernel);
-// A number that differs for every layout of the state: snapshots pass between programs with the
-// same number.
+// A number for the layout of the state: programs with the same number can exchange snapshots.
 std::uint64_t state_layout();
 Status snapshot(const Kernel& kernel, std::span<std::byte> out);
 Status restore(Kernel& kernel, std::span<const std::byte> in);
@@ -384,8 +387,8 @@ struct Difference {
   const char* field;  // nullptr: equal
   std::uint64_t index;
 };
-// First field of the state that differs; "organ" or "config" (obstacles included) where the two
-// kernels differ in those.
+// The first field of the state that differs; "organ" or "config" (which includes obstacles) if the
+// two kernels were not made alike.
 Difference difference(const Kernel& a, const Kernel& b);
 
 }  // namespace stylet

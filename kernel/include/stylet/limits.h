@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every capacity and bound of the kernel, each with what happens when it is reached.
+// Every capacity and bound of the kernel, and what happens when it is reached.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace stylet {
 constexpr std::uint32_t kMaxVoxels = 4'000'000;
 // Rows (y, z) of the lattice's extent, with or without voxels.
 constexpr std::uint32_t kMaxRows = 16'000'000;
-// A kernel's memory grows with its number of voxels, wherever they lie: by at most this much for
-// each, on top of what an organ of one voxel takes. (Lone voxels of one plane, their corners in
-// different tiles of the filter, come near it; in a body each takes some 200 bytes.) sizes says how
-// much it is. No organ is refused for it, except where addresses have 32 bits and a block would not
-// fit: kOrganTooLarge.
+// Each voxel, wherever it lies, adds at most this many bytes to the memory of a kernel for an organ
+// of one voxel. (Single voxels in one plane, with their corners in different tiles of the filter,
+// come near this bound; in a body a voxel takes some 200 bytes.) sizes gives the exact number. No
+// organ is refused for its memory, except if a block is too large for addresses of 32 bits:
+// kOrganTooLarge.
 constexpr std::uint32_t kMaxBytesPerVoxel = 24'576;
-// Sheets of a lattice: voxels that may lie in one cell of space. Every look-up visits each.
+// Sheets of a lattice: how many voxels may lie in one cell of space. A look-up visits all sheets.
 constexpr std::uint32_t kMaxSheets = 8;
 constexpr std::uint32_t kMaxMaterials = 64;
 constexpr std::uint32_t kMaxVertices = 8'000'000;
@@ -32,9 +32,9 @@ constexpr std::uint32_t kMaxSlidePoints = 65'536;
 constexpr float kMaxSlideArea = 4.0F;        // squares of the edge
 constexpr float kMaxSlideFriction = 2.0F;    // as of needles in tissue
 constexpr float kMaxSlideDistance = 100.0F;  // edges from a ground's corner to its surface
-// Largest coordinate of the lattice's origin. A needle comes within 2.5 m of that origin, so every
-// place that matters lies within 8 m of the world's. There floats resolve 0.5 um: a fortieth of the
-// skins that tell contact from rounding (surface.cpp). At 100 m they resolve 8 um.
+// Largest coordinate of the lattice's origin. A needle stays within 2.5 m of that origin, so every
+// place lies within 8 m of the origin of the world. There floats resolve 0.5 um, a fortieth of the
+// 20 um by which contact is told from rounding (surface.cpp). At 100 m they would resolve 8 um.
 constexpr float kMaxOriginM = 4.0F;
 constexpr float kMinVoxelEdgeM = 1e-4F;
 constexpr float kMaxVoxelEdgeM = 0.1F;
@@ -43,24 +43,24 @@ constexpr float kMinYoungsModulusPa = 1.0F;
 constexpr float kMaxYoungsModulusPa = 1e9F;
 constexpr float kMaxMembraneNPerM = 1e5F;     // 1 mm of 100 MPa
 constexpr float kMaxStrainStiffening = 1e3F;  // a shear of 4.5 % doubles the modulus
-// Puncture, cutting and friction as they are written. What follows from a tissue's toughness and
-// from the needle is no more: it is held there.
+// Puncture, cutting and friction as they are written in a material. Forces that follow from a
+// toughness and a needle are clamped to the same limits.
 constexpr float kMaxTipForceN = 1000.0F;
 constexpr float kMaxFrictionNPerM = 1e4F;
-// Of the fluid in a tissue: at least half the pressure of the air, at most that of a tourniquet
-// thrice over; what water would pass through a hole of 1 cm; the viscosity of honey.
+// The fluid in a tissue. Pressure: from half the air's pressure below it to three times a
+// tourniquet's; conductance: that of a hole of 1 cm for water; viscosity: that of honey.
 constexpr float kMinFluidPa = -5e4F;
 constexpr float kMaxFluidPa = 1e5F;
 constexpr float kMaxConductanceM3PerPaS = 1e-4F;
 constexpr float kMaxViscosityPaS = 10.0F;
-constexpr float kMaxToughnessJPerM2 = 1e5F;  // thrice that of skin torn without a blade
+constexpr float kMaxToughnessJPerM2 = 1e5F;  // three times that of skin torn without a blade
 
 // ---- configuration: checked by sizes and create -------------------------------------------------
 constexpr std::uint32_t kMaxSubsteps = 32;
 constexpr float kMinPeriodS = 1e-5F;
-// Most passes of the filter that true mass may use. An organ that is too stiff for them, or a
-// substep that is too long, gets mass added where it needs it (mass_report says how much). Each
-// pass costs a quarter to a third of a sweep.
+// Most passes of the filter of true mass. If the organ is too stiff or the substep too long for
+// them, mass is added where it is needed (mass_report says how much). Each pass costs a quarter to
+// a third of a sweep.
 constexpr std::uint32_t kMaxFilterPasses = 7;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;
@@ -79,7 +79,7 @@ constexpr float kMaxTornDiameters = 5.0F;
 // Bore, filling and syringe. Beyond: create refuses. A bore is at most as wide as the needle.
 constexpr float kMinBoreM = 1e-5F;
 constexpr float kMaxOpeningM = 0.02F;
-constexpr float kMinViscosityPaS = 1e-6F;  // of any gas, more
+constexpr float kMinViscosityPaS = 1e-6F;  // any gas has more
 constexpr float kMinPlungerM = 1e-3F;
 constexpr float kMaxPlungerM = 0.05F;
 constexpr float kMaxPlungerFrictionN = 100.0F;
@@ -99,11 +99,11 @@ constexpr std::uint32_t kMaxHelpers = 15;
 // Constraint particles alive at once. Full: the needle advances without a new one, so the friction
 // of that stretch of shaft is not felt; cp_pool_full is counted and flagged.
 constexpr std::uint32_t kMaxConstraintParticles = 128;
-// Support voxels of all constraint particles of one needle; the last eight are the tip's. Full: a
-// shaft particle loses the supports that have no room, and the others take over their weight at
-// the same force. One that loses all of them carries nothing, neither on the needle nor on the
-// tissue, so that stretch of shaft is not felt. It gets its supports back where there is room.
-// cp_voxel_pool_full is counted.
+// Support voxels of all constraint particles of one needle; the last eight are reserved for the
+// tip. Full: a shaft particle loses the supports for which there is no room, and its other supports
+// take over their weight at the same force. A particle without supports puts no force on needle or
+// tissue, so that part of the shaft is not felt, until there is room again. cp_voxel_pool_full is
+// counted.
 constexpr std::uint32_t kMaxCoupledVoxels = 512;
 // Support voxels of one constraint particle: the eight whose centres surround it.
 constexpr std::uint32_t kSupportsPerParticle = 8;
@@ -119,59 +119,62 @@ constexpr std::uint32_t kMaxRods = 128;
 // Places where a needle is near an obstacle. Full: the places that press least are left out and
 // push nothing (obstacle_pool_full is counted).
 constexpr std::uint32_t kMaxTouches = 16;
-// Loads on the needle: one per constraint particle. (The room for contacts is no longer used.)
+// Loads on the needle: one for each constraint particle. (The places for contacts are not used.)
 constexpr std::uint32_t kMaxRodLoads = kMaxConstraintParticles + 1 + kMaxTouches;
-// Newton steps of the needle's equilibrium in a tick. Reached: the rest is solved in the next
-// ticks. A needle that snaps through takes tens of them; with a moving hand nothing is felt.
+// Newton steps of the needle's equilibrium in a tick. Reached: the next ticks solve the rest. A
+// needle that snaps through takes tens of steps; with a moving hand this is not felt.
 constexpr std::uint32_t kRodNewtonSteps = 2;
-// The same for each look at obstacles near the needle, and the number of looks before the tissue's
-// step; after it, a needle in the tissue looks once. Reached: the rest is solved in later ticks.
+// Newton steps for each look at obstacles near the needle, and the number of looks before the step
+// of the tissue; after it, a needle in the tissue looks once. Reached: later ticks solve the rest.
 constexpr std::uint32_t kRodFaceSteps = 6;
 constexpr std::uint32_t kRodFaceLooks = 2;
-// Motion of a particle of tissue in a substep along an axis, in voxel edges. Beyond: clamped.
-// Forces travel one voxel in a substep, so the step cannot follow more: tissue that a needle tore
-// along gained energy until its numbers overflowed.
+// Motion of a particle of tissue along an axis in one substep, in voxel edges. Beyond: clamped.
+// Forces travel one voxel in a substep, so the step cannot follow a faster motion: without this
+// bound, tissue that a needle tore along gained energy until its numbers overflowed.
 constexpr float kMaxEdgesPerSubstep = 1.0F;
-// By how many times its modulus at rest strain-stiffening tissue may get stiffer. Approached, not
-// reached: then the tissue is linear again. With 10 the stiffest motion of a voxel's shape has 13.5
-// times the stiffness at rest (laws/stiffening.h); that of its volume has 14.5 at a Poisson's ratio
-// of 0.45, so that from there on no step is dearer.
+// How many times its modulus at rest the modulus of strain-stiffening tissue may gain. The gain
+// approaches this bound, near which the tissue is linear again. With 10 the stiffest motion that
+// changes a voxel's shape has 13.5 times its stiffness at rest (laws/stiffening.h). The stiffest
+// motion that changes the volume has 14.5 times it at a Poisson's ratio of 0.45, so from that ratio
+// on stiffening makes no step dearer.
 constexpr float kMaxStiffer = 10.0F;
 // Size of one load on the needle. Beyond: forces and places are clamped by component, a stiffness
 // is scaled down by its trace; an obstacle stiffer than this is refused.
 constexpr double kMaxRodForceN = 1e3;
 constexpr double kMaxRodStiffnessNPerM = 1e6;
 constexpr double kMaxRodPlaceM = 10;
-// How far the tip's roll may lag behind the hand's. Beyond: the shaft slips in the tissue.
+// Largest angle by which the tip's roll may lag behind the hand's. Beyond: the shaft slips in the
+// tissue.
 constexpr float kMaxTwistRad = 3.0F;
-// Voxel edges along which the tip's way in a tick is searched for membranes. Reached: the tip stops
-// there, and the rest follows in the next ticks.
+// Length of the tip's path in a tick that is searched for membranes, in voxel edges. Reached: the
+// tip stops there and moves on in the next ticks.
 constexpr std::uint32_t kMaxMembraneSteps = 64;
-// Holes in membranes that are remembered. Full: the oldest is whole again.
+// Holes in membranes that are remembered. Full: the oldest hole is closed again.
 constexpr std::uint32_t kMaxOpenings = 64;
 // Events kept for the reader. Full: the oldest is overwritten; sequence numbers show the gap.
 constexpr std::uint32_t kMaxEvents = 64;
-// Tracks remembered in the tissue. Full: the oldest is forgotten and must be punctured again.
+// Tracks remembered in the tissue. Full: the oldest is forgotten, and must be punctured again.
 constexpr std::uint32_t kMaxTracks = 16;
 // Sphere-tree nodes and triangles visited in one tick for a needle that touches nothing, nearest
 // to its tip first. Reached before anything was found: the needle stays where it was
 // (contact_budget is counted). 2048 triangles cover a disc of 26 mm radius, at one triangle per
 // mm^2.
 constexpr std::uint32_t kMaxTreeVisits = 8192;
-// How many times farther apart than at rest two vertices of one leaf of the tree may be. Beyond:
-// a needle may pass through tissue that is torn so far without contact.
+// Largest distance of two vertices of one leaf of the tree, over their distance at rest. Beyond: a
+// needle may pass without contact through tissue that is torn so far apart.
 constexpr float kMaxSurfaceStretch = 3;
 constexpr std::uint32_t kMaxTreeDepth = 64;
 constexpr std::uint32_t kMaxTriangleTests = 2048;
-// Walks over an obstacle's vertices for one distance. Reached: the nearest point found so far is
-// taken, which is never nearer than the true one.
+// Passes over an obstacle's vertices for one distance. Reached: the nearest point found so far is
+// used, which is never nearer than the true one.
 constexpr std::uint32_t kMaxGjkSteps = 32;
-// Additional walks where a needle appears inside an obstacle. Reached: it is pushed out across
-// its axis.
+// Additional passes for a needle that appears inside an obstacle. Reached: the needle is pushed out
+// across its axis.
 constexpr std::uint32_t kMaxEscapeSupports = 64;
-// Turn of an obstacle contact's normal in one second. Reached: the rest follows in the next ticks.
+// Largest turn of an obstacle contact's normal in one second. Reached: the rest follows in the next
+// ticks.
 constexpr float kMaxNormalTurnRadPerS = 100.0F;
-// Time in which weight comes in after reset, so that an organ sinks and does not swing.
+// Time after reset in which gravity comes in, so that an organ sinks without swinging.
 constexpr float kGravityFadeS = 1.0F;
 // Motion of the handle accepted in one second; faster input is clamped, flagged and followed later.
 constexpr float kMaxHandleSpeedMPerS = 5.0F;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A material, and the list of its numbers: fields, limits, and how a table of tissues spells them.
 //
-// Promises: organ_open refuses a number outside its limits with its name and value. The list makes
-// the fields of Material, and what organ_open reads and checks; in offline, the keys of a tissue's
-// table, what is written to the file and what `info` shows. The schema (organ.fbs) has the same
-// fields in the same order; a test compares the two. material_model in kernel.cpp and PHYSICS 4.1
-// say what a number does. Units: SI; those of the keys are in their names.
+// Promises: organ_open refuses a number outside its limits and names it, with its value. From the
+// list follow the fields of Material and what organ_open reads and checks; in offline, the keys of
+// a tissue's table, the numbers in the file and the output of `info`. The schema (organ.fbs) has
+// the same fields in the same order; a test compares the two. material_model in kernel.cpp and
+// PHYSICS 4.1 say what each number does. Units: SI; the units of keys are in their names.
 #pragma once
 
 #include "stylet/limits.h"
@@ -13,9 +13,9 @@
 namespace stylet {
 
 // F(field, least, most, expected, key, si_per_unit, must_be_given): the field; its limits; the
-// limits in words, for a refusal; the key of a tissue's table, and how many SI units one of the
-// key's unit is; whether a table of a new tissue must have it, else it is 0. A new number is added
-// at the end, and 0 is within its limits: 0 is what it is in files from before it.
+// limits in words, for a refusal; the key in a tissue's table, and the number of SI units in one
+// unit of the key; whether the table of a new tissue must have the key (otherwise it is 0). A new
+// number is added at the end, and 0 must be within its limits, because files from before it have 0.
 #define STYLET_MATERIAL_NUMBERS(F)                                                                 \
   F(density_kg_per_m3, 1, 20000, "1 to 20000", "density_kg_per_m3", 1, true)                       \
   F(youngs_modulus_pa, kMinYoungsModulusPa, kMaxYoungsModulusPa, "1 to 1e9", "youngs_modulus_kpa", \

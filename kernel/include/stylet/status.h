@@ -6,7 +6,7 @@
 
 namespace stylet {
 
-// Numbers are part of recordings and logs: they never change meaning.
+// The numbers are part of recordings and logs, so a number never changes its meaning.
 enum class [[nodiscard]] Status : std::uint16_t{
     kOk = 0,
     // 100..199: the organ file.

@@ -51,7 +51,7 @@ void add_particle(const Model& model, const State& state, const Needle& last, co
   const NeedleState& own = *state.needle;
   const Vec3 direction = needle_point(last, p.arc_m).direction;
   const Vec3 along = slides(p) ? direction : Vec3{};
-  const double grip_arc_m = static_cast<double>(p.arc_m + dot(p.give_m, direction));
+  const double grip_arc_m = static_cast<double>(p.arc_m + dot(p.axial_way_m, direction));
   const double length = static_cast<double>(model.needle_config().length_m);
   loads.load[loads.count++] = {length - grip_arc_m, to_double(grip(p)) - to_double(own.base_m),
                                -1.0 * to_double(p.force_n), across(along, p.stiffness_n_per_m)};
@@ -108,7 +108,7 @@ void carry(const Needle& needle, Particle& p) {
   const Vec3 moved = at.place_m - p.position_m;
   const float along = slides(p) ? dot(moved, at.direction) : 0;
   p.position_m = p.position_m + (moved - along * at.direction);
-  turn_give(p, at.direction);
+  turn_axial_way(p, at.direction);
   p.force_n = force_on_tissue(p);
 }
 

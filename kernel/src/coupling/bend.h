@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What bends a needle: the forces of its constraint particles and contacts.
 //
-// Needle and tissue answer each other in turn, which is stable because each answer lowers the
-// energy they share. The needle answers twice, before and after the tissue, so that the hand feels
-// what the joints store. (With one answer the needle bent against tissue that stood still, so too
-// far, and the hand felt the difference: up to 10 % of its work.) With its tip in contact it
-// answers once more (meet_tissue). Obstacles are part of all answers (needle/rod.h).
+// Needle and tissue are solved in turn. This is stable, because each solution lowers their common
+// energy. The needle bends twice in a tick, before and after the step of the tissue, so that the
+// hand feels the energy that the joints store. (With one bend it bent against tissue that stood
+// still, so too far, and the hand felt the difference: up to 10 % of its work.) With its tip in
+// contact it bends once more (meet_tissue). Every bend includes the obstacles (needle/rod.h).
 //
 // Promises: no allocation; operations bounded by limits.h. Units SI, frame of the attachments.
 // PHYSICS 6.4.
@@ -16,7 +16,7 @@
 
 namespace stylet {
 
-// The needle in the state's nodes, as the last tick left it; without directions.
+// The needle as the last tick left it in the state's nodes; without directions.
 Needle needle_of(const Model& model, const State& state);
 
 // Makes the rods and their shape at rest; set_obstacles adds the obstacles.
@@ -26,9 +26,9 @@ void make_needle(const NeedleConfig& config, RodModel& rod_out);
 // in tissue, settle_needle finds the contacts. Returns output flags.
 std::uint32_t place_needle(const Model& model, State& state, Scratch& scratch, Needle& needle_out);
 
-// A needle whose tip is in contact bends once more before the tissue's step, by the force with
-// which the tip would press: until now its place came from the depth before, or from no force.
-// Returns output flags.
+// A needle whose tip is in contact bends once more before the step of the tissue, under the force
+// with which the tip would press: until then its shape follows from the depth of the last tick, or
+// from no force. Returns output flags.
 std::uint32_t meet_tissue(const Model& model, State& state, Scratch& scratch, Needle& needle);
 
 // After the tissue's step: bends by the new forces and moves the particles along. Returns

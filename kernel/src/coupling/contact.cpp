@@ -20,7 +20,7 @@ constexpr float kReleaseSkinM = 2e-5F;
 // A bend in contact uses the tangent from before it as spring. In it, the tip of an elastic needle
 // takes tissue aside by at most kChordM plus this part of its present offset. The tangent's force
 // is then 0.8 % below that of a quadratic law. A choice; nothing is sensitive to it.
-constexpr float kAsideShare = 0.1F;
+constexpr float kAsideFraction = 0.1F;
 
 // The tip of a needle that lies this deep under a place of the surface. It holds the tissue it lies
 // in, without force. If the deformation at the surface says nothing about the tissue there, it
@@ -134,7 +134,7 @@ void throw_aside(const Model& model, State& state, Scratch& scratch, const Needl
   if (!model.head->rules.contact_law) return;
   const Vec3 aside = moved_m - dot(moved_m, needle.tip_direction) * needle.tip_direction;
   const float before_m = max_of(norm(residual(tip) - moved_m), needle.off_m);
-  const float held_m = kChordM + kAsideShare * before_m;
+  const float held_m = kChordM + kAsideFraction * before_m;
   if (!(norm(residual(tip)) > before_m + held_m && dot(aside, aside) > held_m * held_m)) return;
   tip = tip_here(model, state, needle);
   stretch_of(state, scratch, kMaxConstraintParticles) = {};

@@ -13,8 +13,8 @@ namespace stylet {
 // Energy of the contact. The present spring carries the spread of the supports.
 double contact_energy(const Model& model, const State& state, const Particle& p);
 
-// Creep of the contact of a needle that has moved by `step_m`; then its spring. Tissue that has
-// crept can let go of the tip but not pull it: this bounds the missing force.
+// Lets the contact of a needle that has moved by `step_m` creep, and then sets its spring. The
+// force lost to creep is bounded so that tissue can release the tip but not pull it.
 void relax_contact(const Model& model, State& state, Vec3 direction, Vec3 step_m);
 
 // A contact pressed on by more than this in a tick has the law's chord as spring, not its tangent.

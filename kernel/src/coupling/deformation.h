@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the tissue around a constraint particle (CP) is deformed: it turns steps into steps in the
-// rest frame.
+// The deformation of the tissue around a constraint particle (CP), by which a step in deformed
+// tissue becomes a step in the rest frame.
 //
 // Rest places must follow the material, not only the rotation: else a needle that leaves strained
 // tissue does not find its way back to its entry.
@@ -12,7 +12,7 @@
 
 namespace stylet {
 
-// Deformation of the tissue around a CP: displacement gradient, averaged over its supports.
+// Deformation of the tissue around a CP: the displacement gradient, averaged over its supports.
 struct Gradient {
   Vec3 c0, c1, c2;  // columns of I + gradient
   float det;

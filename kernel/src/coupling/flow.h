@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a needle's opening is, and what flows through it there (laws/fluid.h).
+// Where a needle's opening lies, and the flow through it (laws/fluid.h).
 //
-// The layer in which the middle of the opening lies gives a pressure and a resistance. The flow
-// moves no tissue.
-// Promises: no allocation; nothing is done for a needle whose hub is closed. Units SI. PHYSICS 9.9.
+// Pressure and resistance are those of the layer in which the middle of the opening lies. The flow
+// moves no tissue. Promises: no allocation; nothing is done for a needle whose hub is closed. Units
+// SI. PHYSICS 9.9.
 #pragma once
 
 #include "needle/shape.h"

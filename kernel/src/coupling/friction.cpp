@@ -32,7 +32,7 @@ void take_tributary_spring(const Model& model, State& state, Particle& p) {
     const float old = p.stiffness_n_per_m / stiffness;
     pull_goals(p, 1 - old);
     p.memory_m = old * p.memory_m;
-    p.give_m = old * p.give_m;
+    p.axial_way_m = old * p.axial_way_m;
     p.slack_m = old * p.slack_m;
   } else {
     p.memory_n = (stiffness / p.stiffness_n_per_m) * p.memory_n;

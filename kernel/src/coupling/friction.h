@@ -15,8 +15,8 @@
 namespace stylet {
 
 // Gives a CP the spring of its tributary length. Spring and friction vanish when the tip comes back
-// to the CP, so neither friction nor clamping jumps when it is added or removed. The energy that
-// this takes is booked as friction.
+// to the CP, so no force jumps when a CP is added or removed. The energy lost by the change of
+// spring is booked as friction.
 void take_tributary_spring(const Model& model, State& state, Particle& p);
 
 // A tributary length may lie in several materials: its friction is their mean, sampled where the
@@ -24,18 +24,19 @@ void take_tributary_spring(const Model& model, State& state, Particle& p);
 // CP's own place would be one sample for a unit of shaft.)
 void gather_friction(const Model& model, State& state, Vec3 from_m, float from_track_m);
 
-// The shaft's CPs slip back to their limits, and store how far the tick pulls their springs. In
-// this tick the needle moved by `moved_m` along itself.
+// The shaft's CPs slip back to their limits, and store by how much this tick stretches their
+// springs. The needle has moved by `moved_m` along itself in this tick.
 void slip_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle,
                 float moved_m);
 
 // Friction of a CP's tributary length, at its slip speed.
 float friction_limit_n(const Model& model, const State& state, const Particle& p);
 
-// Any CP may carry the friction of a whole unit; one with no friction yet may keep its force. But
-// friction must not push the needle in the direction of its slip. If the tissue has followed the
-// needle since a slip of this tick, the CP takes back as much of the slip, down to zero force.
-// Else it would be at its limit again at the next slip, and that push would cost the hand nothing.
+// After the step of the tissue a CP may carry the friction of a whole unit; a CP without friction
+// so far may keep its force. But friction must not push the needle in the direction of its slip. As
+// far as the tissue has followed the needle since a slip of this tick, the CP takes its slip back,
+// until it carries no force. Otherwise the next slip would begin at the limit again, and the hand
+// would get that push for nothing.
 void slip_after_step(const Model& model, State& state, const Needle& needle, Particle& p);
 
 }  // namespace stylet

@@ -8,7 +8,7 @@ namespace stylet {
 namespace {
 
 // What the log last reported as this needle's layer. Only the log: forces follow the tip's place.
-struct Told {
+struct LoggedLayer {
   bool known, crossed;          // known: still in the log; crossed: by an event of a layer
   std::uint32_t layer, before;  // and the layer reported before that
   float track_m;
@@ -19,10 +19,10 @@ bool tells_layer(const Event& e, std::uint32_t needle) {
                                 e.kind == EventKind::kReentry);
 }
 
-Told told_layer(const State& state) {
+LoggedLayer told_layer(const State& state) {
   const std::uint32_t all = state.head->event_count;
   const std::uint32_t kept = all < kMaxEvents ? all : kMaxEvents;
-  Told told = {};
+  LoggedLayer told = {};
   for (std::uint32_t i = 1; i <= kept; ++i) {
     const Event& e = state.event[(all - i) % kMaxEvents];
     if (!tells_layer(e, state.needle_index)) continue;
@@ -33,7 +33,7 @@ Told told_layer(const State& state) {
   return told;
 }
 
-bool is_near(const Told& told, float track_m) {
+bool is_near(const LoggedLayer& told, float track_m) {
   const float since = track_m - told.track_m;
   return since < kLayerSkinM && since > -kLayerSkinM;
 }
@@ -41,14 +41,14 @@ bool is_near(const Told& told, float track_m) {
 }  // namespace
 
 void tell_layer(State& state, float force_n) {
-  const Told told = told_layer(state);
+  const LoggedLayer told = told_layer(state);
   const bool back = told.known && told.crossed && state.needle->layer == told.before &&
                     is_near(told, state.tip->track_m);
   if (!back) add_event(state, EventKind::kLayer, force_n);
 }
 
 void tell_layer_late(State& state) {
-  const Told told = told_layer(state);
+  const LoggedLayer told = told_layer(state);
   if (!told.known || told.layer == state.needle->layer) return;
   if (!is_near(told, state.tip->track_m)) add_event(state, EventKind::kLayer, 0);
 }

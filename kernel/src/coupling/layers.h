@@ -12,8 +12,9 @@ namespace stylet {
 // The tip must go this far to return to the layer it has just left, and for the log to report it.
 constexpr float kLayerSkinM = 5e-4F;
 
-// The needle's layer has changed, at this force. Reported, unless the needle only returns to the
-// layer reported before the last one, near the place where it left that layer.
+// Call when the needle's layer has changed, at this force. The change is reported, unless the
+// needle only returns to the layer reported before the last one, near the place where it left that
+// layer.
 void tell_layer(State& state, float force_n);
 
 // Reports a layer that was not reported there, once the needle has gone on in it.

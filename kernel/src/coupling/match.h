@@ -15,9 +15,9 @@
 
 namespace stylet {
 
-// Where the last match put a voxel: together with its CPs, if it has any. (A CP that joins others
-// in a voxel needs that one: from the match of the corners alone the next match would move it,
-// which the hand would feel.)
+// Where the last match put a voxel, together with its CPs if it has any. (A CP that joins others in
+// a voxel must be placed by this match. Placed by that of the corners alone, it would be moved by
+// the next match, which the hand would feel.)
 struct MatchFrame {
   Quat turn;
   Vec3 centre_m;
@@ -25,16 +25,17 @@ struct MatchFrame {
 MatchFrame match_frame(const Model& model, const State& state, std::uint32_t slot,
                        std::uint32_t row);
 
-// Lists the coupled voxels of this tick, plane by plane; with true mass also what their springs add
+// Lists the coupled voxels of this tick, plane by plane; with true mass it also adds their springs
 // to the bounds on stiffness. Returns output flags.
 std::uint32_t gather_coupled(const Model& model, State& state, Scratch& scratch);
 
 // Forces of all CPs from the goals of the last match; books what their slips have cost.
 void measure_forces(const Model& model, State& state);
 
-// Copies a CP (its number: needle, then place in the shaft, the tip last) with its goals for the
-// tissue of now: those of the last match are a substep old. Returns the energy of its voxels'
-// corners beyond their own match, once per voxel, with its first CP. Cold path: reads all CPs.
+// Copies a CP (its number: needle, then place in the shaft, the tip last) with goals computed for
+// the present tissue, because those of the last match are a substep old. Returns the energy of the
+// corners of its voxels beyond that of their own match, for each voxel only with its first CP. Cold
+// path: reads all CPs.
 double rematch(const Model& model, const State& state, std::uint32_t index, Particle& particle_out);
 
 }  // namespace stylet

@@ -8,7 +8,7 @@ namespace stylet {
 namespace {
 
 // Time constant of the damper over which the axial way goes to equilibrium.
-constexpr float kGiveTimeS = 1e-3F;
+constexpr float kAxialWayTimeS = 1e-3F;
 // If a whole tick's creep would gain energy, at least this part of it is tried: with short times
 // the spring yields faster than the lattice follows.
 constexpr float kLeastCreep = 1.0F / 16;
@@ -84,16 +84,16 @@ void relax_late(const Model& model, State& state, Particle& p, Residuals& d, dou
 // The axial way follows the force along the needle, as over a damper (implicit, so that no tick is
 // too long for it). Only along: taking back a part that lies across would take work against the
 // force there.
-void give_way(const Model& model, StateHead& state, Particle& p, const Residuals& d,
-              Vec3 direction) {
+void follow_axially(const Model& model, StateHead& state, Particle& p, const Residuals& d,
+                    Vec3 direction) {
   if (p.axial_fraction == 0) return;
   const double before_j = spring_energy(p, d);
   const float pull_m = dot(force_on_tissue(p, d.residual_m), direction) / p.stiffness_n_per_m;
   const float to_go_m =
-      p.axial_fraction * pull_m - (1 - p.axial_fraction) * dot(p.give_m, direction);
+      p.axial_fraction * pull_m - (1 - p.axial_fraction) * dot(p.axial_way_m, direction);
   const float period_s = model.head->config.period_s;
-  const float part = period_s / (period_s + kGiveTimeS);
-  p.give_m = settle(p.give_m + part * to_go_m * direction);
+  const float part = period_s / (period_s + kAxialWayTimeS);
+  p.axial_way_m = settle(p.axial_way_m + part * to_go_m * direction);
   set_slack(p);
   state.relaxation_j += before_j - spring_energy(p, d);
 }
@@ -102,9 +102,9 @@ void give_way(const Model& model, StateHead& state, Particle& p, const Residuals
 void follow(const Model& model, State& state, const Needle& needle, Particle& p,
             const Residuals& d) {
   const NeedlePoint point = needle_point(needle, p.arc_m);
-  give_way(model, *state.head, p, d, point.direction);
+  follow_axially(model, *state.head, p, d, point.direction);
   p.position_m = point.place_m;
-  turn_give(p, point.direction);
+  turn_axial_way(p, point.direction);
 }
 
 }  // namespace

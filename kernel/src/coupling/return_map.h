@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The return map: slip and cutting follow one rule. The axial force of a constraint particle (CP)
-// has a limit; beyond it the CP moves just so far that the force is back at the limit (passive for
-// any step). In the paper it moves by whole needle units (section IV.C, step 3).
+// The return map, the one rule of slip and cutting. The axial force of a constraint particle (CP)
+// has a limit; beyond it the CP moves just so far that the force is back at the limit, which is
+// passive for any step. In the paper a CP moves by whole needle units (section IV.C, step 3).
 //
 // Promises: a fixed number of operations. Units SI.
 // Source: Simo and Hughes 1998, chapter 1 (return mapping in one dimension). PHYSICS 12.1 to 12.3.
@@ -11,11 +11,11 @@
 
 namespace stylet {
 
-// Time constant of the low pass on slip speeds, which choose the friction but are no force.
+// Time constant of the low pass of slip speeds. They set the limit of friction.
 constexpr float kSlipFilterS = 0.02F;
 // Sliding this far renews the tissue that a CP touches, and so the relaxed part of its force.
 constexpr float kRenewalLengthM = 1e-3F;
-// At a tick's end a CP may carry this many times its limit where the needle has just moved.
+// At the end of a tick in which the needle has moved, a CP may carry this many times its limit.
 constexpr float kEndTolerance = 2.0F;
 
 // How far the CP must move for its axial force to return between the limits. Paper mode: by whole

@@ -16,8 +16,8 @@ std::uint32_t push_shaft(const Model& model, State& state, Scratch& scratch, Par
 
 // One shaft CP for each unit of track that the tip has left behind, except in gaps between organs.
 // A track is as long as the tissue at rest. So near the tip it counts as straight, and the needle
-// holds the points on it. Tissue that the tip pushes ahead may end before such a point; there the
-// needle holds what the tip has passed.
+// holds the points on it. If tissue that the tip pushes ahead ends before such a point, the needle
+// holds the tissue that the tip has passed.
 std::uint32_t drop_shaft(const Model& model, State& state, Scratch& scratch, const Needle& needle);
 
 // Whether the tip has come back past a shaft CP: along the track or, when a violent hand has made

@@ -13,11 +13,11 @@
 
 namespace stylet {
 
-// Returns the way that the particle cut, across `direction`; zero if its force across is at most
+// Returns how far the particle cut, across `direction`; zero if its force across is at most
 // `limit_n`.
 Vec3 cut_sideways(const Model& model, State& state, Particle& p, Vec3 direction, float limit_n);
 
-// The same for a particle of the shaft, which carries `length_m` of it.
+// The same for a particle of the shaft that carries `length_m` of it.
 Vec3 cut_shaft_sideways(const Model& model, State& state, Particle& p, Vec3 direction,
                         float length_m);
 

@@ -4,7 +4,7 @@
 // Up to eight voxels hold a CP. Each has a goal for it: the place where the voxel's match puts the
 // CP. The needle's point less that goal is a residual. The weighted mean of the residuals, less
 // what has relaxed and the axial way (`slack_m`), times the stiffness is the force on the tissue.
-// Everything here reads and writes one CP and nothing else.
+// Every function here reads and writes only one CP.
 //
 // Promises: bounded by kSupportsPerParticle, no allocation, fixed order of sums. Units SI, frame of
 // the attachments. Source: paper section IV.A. PHYSICS 10.3, 12.4.
@@ -38,7 +38,7 @@ inline Vec3 force_on_tissue(const Particle& p) {
 
 // The point of the needle's axis where that force acts: the spring's end, less the axial way.
 inline Vec3 grip(const Particle& p) {
-  return p.position_m - p.give_m;
+  return p.position_m - p.axial_way_m;
 }
 
 // Mean square of how the supports' residuals differ from their mean.
@@ -57,7 +57,7 @@ inline double memory_energy(const Particle& p) {
   return 0.5 * static_cast<double>(in_branch * max_of(dot(p.memory_n, p.memory_m), 0));
 }
 
-// How the supports of a CP lie: their mean residual, and their spread.
+// The mean residual of a CP's supports, and their spread.
 struct Residuals {
   Vec3 residual_m;
   float spread_m2;
@@ -70,9 +70,9 @@ inline Residuals residuals(const Particle& p) {
 // Energy in a CP's spring, Maxwell branch and axial way; for a tip in contact see contact_energy.
 inline double spring_energy(const Particle& p, const Residuals& d) {
   const Vec3 lasting = d.residual_m - p.slack_m;
-  const float give = p.axial_fraction > 0
-                         ? (1 - p.axial_fraction) / p.axial_fraction * dot(p.give_m, p.give_m)
-                         : 0.0F;
+  const float give = p.axial_fraction > 0 ? (1 - p.axial_fraction) / p.axial_fraction *
+                                                dot(p.axial_way_m, p.axial_way_m)
+                                          : 0.0F;
   const float sum = dot(lasting, lasting) + d.spread_m2 + give;
   return 0.5 * static_cast<double>(p.stiffness_n_per_m * sum) + memory_energy(p);
 }
@@ -80,9 +80,10 @@ inline double spring_energy(const Particle& p) {
   return spring_energy(p, residuals(p));
 }
 
-// Slack: the axial way and the relaxed part of the spring; the rest of the residual pulls.
+// The slack, which is the axial way and the relaxed part; only the rest of the residual gives
+// force.
 inline void set_slack(Particle& p) {
-  p.slack_m = p.relaxing_fraction * p.memory_m + p.give_m;
+  p.slack_m = p.relaxing_fraction * p.memory_m + p.axial_way_m;
 }
 
 // For fresh tissue, which has not relaxed yet.
@@ -130,17 +131,18 @@ inline std::uint32_t heaviest(const Particle& p) {
   return best;
 }
 
-// The needle has turned: the axial way of a shaft CP lies along it, and turns with it. Its spring
-// is fixed to a point of the needle (grip); the turn moves it, and its torque pays for the energy.
-inline void turn_give(Particle& p, Vec3 direction) {
+// Call after a turn of the needle: the axial way of a shaft CP lies along the needle and turns with
+// it. The CP's spring is fixed to a point of the needle (grip); the turn moves that point, and the
+// work of the torque is the change of energy.
+inline void turn_axial_way(Particle& p, Vec3 direction) {
   if (p.axial_fraction == 0) return;
-  const float size_m = norm(p.give_m);
-  p.give_m = settle((dot(p.give_m, direction) < 0 ? -size_m : size_m) * direction);
+  const float size_m = norm(p.axial_way_m);
+  p.axial_way_m = settle((dot(p.axial_way_m, direction) < 0 ? -size_m : size_m) * direction);
   set_slack(p);
 }
 
-// By how much the needle's motion in this tick pulls the spring of CP `index`: a shaft CP or, as
-// the last index, the tip. Substep by substep (place_members).
+// By how much the motion of the needle in this tick stretches the spring of CP `index` (a shaft CP
+// or, as the last index, the tip). The substeps do it in equal parts (place_members).
 inline Vec3& stretch_of(const State& state, Scratch& scratch, std::uint32_t index) {
   return scratch.stretch[state.needle_index * kNeedleParticles + index];
 }

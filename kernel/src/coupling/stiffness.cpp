@@ -64,10 +64,10 @@ float shear_inside_pa(const ModelHead& head, const MaterialModel& m, float unit_
 }
 
 // Tissue is more compliant along a needle than across, but a match holds one spring, as stiff as
-// across. A second one behind it adds the axial compliance; its way is give_m. This function gives
-// its part of both. (Two stiffnesses in one match would have no rotation in closed form.)
-float share_of_give(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
-                    float own_compliance, float slack) {
+// across. A second one behind it adds the axial compliance; its way is axial_way_m. This function
+// gives its part of both. (Two stiffnesses in one match would have no rotation in closed form.)
+float axial_fraction_of(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
+                        float own_compliance, float slack) {
   if (!head.rules.relaxes) return 0;
   const float shear_pa = shear_inside_pa(head, m, unit_m);
   const float row = line_compliance_along(kRowRadiusAlong * head.edge_m);
@@ -188,7 +188,7 @@ Punch wanted_punch(const Model& model, const State& state, std::uint32_t materia
 }
 
 // Compliance of the lattice under a tip inside, times G h.
-float inside_give(float poisson) {
+float inside_compliance(float poisson) {
   return kInsideGive - kInsideGiveSlope * poisson + kInsideGiveSquares * kMeanSquares;
 }
 
@@ -226,12 +226,12 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
       // As stiff as in contact, where tissue stiffens: what a puncture finds stored must not be
       // less than the spring inside stores at the same force.
       target = 24 * kPi * shear_inside_pa(head, m, unit) * a * (1 - nu) / (5 - 6 * nu) * deep;
-      lattice_compliance = inside_give(nu) / k;
+      lattice_compliance = inside_compliance(nu) / k;
       break;
     case Role::kMembrane:
       // A spring, as far as it may come: from nothing to the depth and force of the puncture.
       target = film.force_n / film.depth_m;
-      lattice_compliance = inside_give(nu) / held_n_per_m(model, particle) +
+      lattice_compliance = inside_compliance(nu) / held_n_per_m(model, particle) +
                            kMembraneGive / (m.shear_pa * head.edge_m);
       least = kLeastOwnPart * lattice_compliance;
       break;
@@ -248,7 +248,7 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   particle.stiffness_n_per_m = head.rules.voxel_springs ? k : 1 / own_compliance;
   particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
   if (role == Role::kShaft) {
-    particle.axial_fraction = share_of_give(head, m, a, unit, own_compliance, slack);
+    particle.axial_fraction = axial_fraction_of(head, m, a, unit, own_compliance, slack);
   }
   // A tip in tissue that stiffens hardly ever comes so far that it is as stiff as its target.
   const float asked = role == Role::kShaft ? target : target / deep;

@@ -16,7 +16,7 @@
 
 namespace stylet {
 
-// Largest spring of a CP, in voxel springs k: beyond it only the condition of the numbers changes.
+// Largest spring of a CP, in voxel springs k: a stiffer one would change only the rounding.
 constexpr float kMaxCpWeight = 128.0F;
 
 // kMembrane: a tip that a membrane of its material holds.
@@ -26,10 +26,10 @@ enum class Role { kSurface, kTip, kMembrane, kShaft };
 // gets the largest spring, and the shortfall is reported.
 void set_stiffness(const Model& model, State& state, Particle& particle, Role role);
 
-// The law of contact of this needle's tip. Its memory is the missing force over the stiffness of
-// the spring. The growth of the lattice's compliance ends where its part would become too large. If
-// the lattice is too soft for a punch as wide as the needle, contact widens like the needle's tip
-// and ends at a width for which the lattice is stiff enough.
+// The law of contact of this needle's tip. The tip's memory is the force lost to creep over the
+// stiffness of the spring. The growth of the lattice's compliance ends where its part of the whole
+// would become too large. If the lattice is too soft for a punch as wide as the needle, contact
+// widens like the needle's tip and ends at a width for which the lattice is stiff enough.
 ContactLaw law_of(const Model& model, const State& state);
 
 }  // namespace stylet

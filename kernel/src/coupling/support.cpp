@@ -112,7 +112,7 @@ void take_other_voxels(const Model& model, State& state, Particle& p) {
   const double before = spring_energy(p);
   renew_supports(model, state, p, Weighting::kTent);
   if (p.support_count == 0) {
-    p.give_m = {};
+    p.axial_way_m = {};
     forget(p);
   }
   state.head->cutting_j += before - spring_energy(p);
@@ -132,7 +132,7 @@ void keep_supports(StateHead& state, Particle& p, std::uint32_t kept) {
   for (std::uint32_t i = 0; i < count; ++i) p.support[i].weight = p.support[i].weight / sum;
   gather_goals(p, residual_m, spread_m2);
   if (count == 0) {
-    p.give_m = {};
+    p.axial_way_m = {};
     forget(p);
   }
   state.friction_j += before - spring_energy(p);

@@ -2,11 +2,11 @@
 // Support of a constraint particle (CP): which voxels hold it, with which weights and goals.
 //
 // A CP is a material point of the tissue held by the needle (paper section IV.A). The eight voxels
-// whose centres surround it share it. For a tip inside, weights change smoothly along its way: so
-// running along a voxel face, or crossing one, is not felt. A shaft CP keeps its voxels, with even
-// weights. Two layers hold a tip in contact, each according to its stiffness. In paper mode one
-// voxel holds a CP. A new voxel gets the residual that the CP has, so a change of support changes
-// no force.
+// whose centres surround it support it. For a tip inside, weights change smoothly along its path,
+// so that running along a voxel face, or crossing one, is not felt. A shaft CP keeps its voxels,
+// with even weights. Two layers hold a tip in contact, each according to its stiffness. In paper
+// mode one voxel holds a CP. A new voxel gets the residual that the CP has, so a change of support
+// changes no force.
 //
 // Promises: bounded by kSupportsPerParticle, no allocation, fixed order. Units SI, frame of the
 // attachments. PHYSICS 10.1.
@@ -32,17 +32,17 @@ Vec3 unloaded_place(const Model& model, const Particle& p);
 Particle new_particle(const Model& model, State& state, const Needle& needle, Vec3 rest_m,
                       Vec3 place_m, float track_m, float arc_m, Role role);
 
-// A CP whose voxels found no room (keep_supports) takes those around it again: there may be room
-// next time.
+// A CP for whose voxels there was no room (keep_supports) takes the voxels around it again: there
+// may be room now.
 void refill_supports(const Model& model, State& state, Particle& p);
 
-// A shaft CP whose rest place has moved takes the voxels around it, at the same force; in none it
-// holds nothing.
+// A shaft CP whose rest place has moved takes the voxels around that place, at the same force;
+// outside of all voxels it holds nothing.
 void take_other_voxels(const Model& model, State& state, Particle& p);
 
-// Leaves a shaft CP only the supports whose bits are set in `kept`, as there is no room for the
-// others: their weight goes to these, at the same force. A CP without any holds nothing, and
-// nothing holds it. refill_supports gives supports back where there is room again.
+// Leaves a shaft CP only the supports whose bits are set in `kept`, because there is no room for
+// the others; they take over the weight of the others, at the same force. A CP without supports has
+// no force. refill_supports restores supports when there is room again.
 void keep_supports(StateHead& state, Particle& p, std::uint32_t kept);
 
 }  // namespace stylet

@@ -16,7 +16,7 @@ constexpr float kContactSkinM = 2e-5F;
 // A tip that is drawn back more than it is swept aside is on its way out: cos 60 degrees.
 constexpr float kSideways = 0.5F;
 
-struct Segment {
+struct SearchPath {
   Vec3 from_m, direction;
   float length_m;
 };
@@ -48,7 +48,7 @@ Vertex deformed(const Model& model, const State& state, const OrganVertex& v) {
 }
 
 // The farthest place on the segment where it can be crossed within a sphere; false: nowhere.
-bool reaches(const OrganSphere& sphere, const Segment& s, float grow_m, float& latest_out_m) {
+bool reaches(const OrganSphere& sphere, const SearchPath& s, float grow_m, float& latest_out_m) {
   const Vec3 to = Vec3{sphere.x, sphere.y, sphere.z} - s.from_m;
   const float along = clamp(dot(to, s.direction), 0, s.length_m);
   const Vec3 gap = to - along * s.direction;
@@ -58,7 +58,7 @@ bool reaches(const OrganSphere& sphere, const Segment& s, float grow_m, float& l
 }
 
 struct Search {
-  Segment segment;
+  SearchPath segment;
   float grow_m;
   float best_m;
   Vec3 rest_m, place_m;
@@ -69,7 +69,7 @@ struct Search {
 // One vertex of a leaf is looked at first, because it shows where all of them are: tissue dragged
 // far elsewhere makes a search reach many leaves, most of which have hardly moved.
 bool is_near(const Model& model, const State& state, const OrganSphere& leaf,
-             const Segment& segment) {
+             const SearchPath& segment) {
   const OrganVertex& one = model.organ().vertices[model.organ().triangles[leaf.first].a];
   const Vec3 place = deformed(model, state, one).place_m;
   float unused = 0;
@@ -88,7 +88,7 @@ bool search_leaf(const Model& model, const State& state, const OrganSphere& leaf
     const Vertex b = deformed(model, state, model.organ().vertices[t.b]);
     const Vertex c = deformed(model, state, model.organ().vertices[t.c]);
     float at = 0, u = 0, v = 0;
-    const Segment& segment = search.segment;
+    const SearchPath& segment = search.segment;
     if (!hit_triangle(segment.from_m, segment.direction, a.place_m, b.place_m, c.place_m, at, u,
                       v) ||
         at < 0 || at > segment.length_m || (search.found && at <= search.best_m)) {
@@ -140,7 +140,8 @@ bool search_tree(const Model& model, const State& state, Search& search) {
 }
 
 // Searches along a new segment.
-bool search_along(const Model& model, const State& state, const Segment& segment, Search& search) {
+bool search_along(const Model& model, const State& state, const SearchPath& segment,
+                  Search& search) {
   search.segment = segment;
   search.found = false;
   return search_tree(model, state, search);

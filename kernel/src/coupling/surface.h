@@ -3,10 +3,10 @@
 //
 // The sphere tree stays at rest. Every vertex is a convex combination of corner displacements, so
 // no point of the surface is farther from its rest place than the largest displacement of any
-// particle. The query is grown by that much, and the tree never changes. Only triangles of the
+// particle. The query is enlarged by that much, and the tree never changes. Only triangles of the
 // leaves reached are deformed, nearest to the tip first. This replaces refitting leaf spheres per
 // voxel: it needs no work per leaf and is exact for tissue at rest, the usual state at first
-// contact. Where another needle dents the tissue, more leaves are reached.
+// contact. Where another needle dents the tissue, a query visits more leaves.
 //
 // Promises: at most kMaxTreeVisits nodes and kMaxTriangleTests triangles. Units SI. Frame of the
 // attachments. PHYSICS 7.1.

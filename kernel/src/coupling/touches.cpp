@@ -102,7 +102,7 @@ void look_around(const Model& model, const State& state, const Scratch& scratch,
       }
       Near found = {body, rod, {}, last};
       const Seen at = seen(before, body, rod);
-      const Approach from = {at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0},
+      const CameFrom from = {at.near != nullptr ? at.near->face.normal : Vec3d{0, 0, 0},
                              before_of(state.node + rod, to_double(shift), axis)};
       if (!find_face(model.obstacle[body], axis, radius_m,
                      last != nullptr ? last->contact : ObstacleContact{}, now, from,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contacts with obstacles: faces of bodies near the needle, and the touches that a tick keeps.
 //
-// An elastic needle bends against the faces that are found here (needle/rod.h). A rigid one goes
-// where the hand goes and is pushed back.
+// An elastic needle bends against the faces that are found here (needle/rod.h). A rigid one follows
+// the hand and gets a force that pushes it back.
 //
 // Promises: at most kMaxTouches touches, bounded by kMaxObstacles and kMaxRods; no allocation.
 // Units SI; places of touches in the world. PHYSICS 13.
@@ -25,7 +25,7 @@ struct Near {
   ObstacleFace face;
   const Touch* last;
 };
-// The faces that reach deepest, and the same for the rods.
+// The faces that are deepest, in two forms: as found, and for the rods.
 struct Nearest {
   std::uint32_t left_out;  // that touch, but had no room
   Near near[kMaxTouches];
@@ -40,7 +40,7 @@ void look_around(const Model& model, const State& state, const Scratch& scratch,
 std::uint32_t enter_touches(const Model& model, State& state, Scratch& scratch,
                             const Nearest& nearest);
 
-// For a rigid needle: it goes where the hand goes. `before_m`: its nodes before it did.
+// For a rigid needle, which follows the hand. `before_m`: its nodes before this tick's motion.
 std::uint32_t touch_obstacles(const Model& model, State& state, Scratch& scratch,
                               const Needle& needle, const Vec3 before_m[2], Vec3 shift);
 

@@ -10,8 +10,8 @@
 
 namespace stylet {
 
-// Whether a place of the track lies in tissue. Just behind the entry the surface decides: the
-// planes of mixed voxels lie a little beside it.
+// Whether a place of the track lies in tissue. Just behind the entry the surface decides, because
+// the planes of mixed voxels do not lie exactly on it.
 bool holds_track(const Model& model, Vec3 rest_m, float track_m);
 
 // Width and depth of the mouth of a hole, around its entry.

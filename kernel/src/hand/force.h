@@ -13,8 +13,8 @@ namespace stylet {
 // Sums the forces of this needle on its hand.
 void sum_forces(const Model& model, const State& state, const Needle& needle, Output& out);
 
-// Adds the hand's work since the last tick to the books: the mean of the forces at both ends times
-// the motion from the handle's pose `before`.
+// Adds the hand's work since the last tick to the energies: the mean of the forces before and
+// after, times the motion from the handle's pose `before`.
 void book_work(State& state, const Pose& before, const Output& out);
 
 }  // namespace stylet

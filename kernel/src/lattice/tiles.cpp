@@ -8,7 +8,7 @@ namespace stylet {
 namespace {
 
 // A tile, the `x`th of line `y`, its place in an array of its plane, and what lies in it.
-struct Found {
+struct FoundTile {
   std::uint32_t y, x, place;
   Piece piece;
 };
@@ -29,7 +29,7 @@ class PlaneWalk {
   explicit PlaneWalk(const Runs (&planes)[kPlanes])
       : lines_(planes), next_(kPlanes == 1 ? 1 : kLanes) {}
 
-  bool next(Found& out) {
+  bool next(FoundTile& out) {
     if ((!open_ || x_ * kTile > stretch_.end) && !next_stretch()) return false;
     const std::uint32_t first = x_ * kTile;
     std::uint32_t lanes = 0;
@@ -82,7 +82,7 @@ class Places {
 
  private:
   PlaneWalk<kPlanes> left_;
-  Found here_ = {};
+  FoundTile here_ = {};
   bool more_;
 };
 
@@ -104,7 +104,7 @@ template <std::uint32_t kPlanes>
 void count_plane(const Runs (&planes)[kPlanes], Counts& counts_io) {
   PlaneWalk<kPlanes> left(planes);
   std::uint32_t tiles = 0;
-  for (Found found; left.next(found);) ++tiles;
+  for (FoundTile found; left.next(found);) ++tiles;
   counts_io.tiles += tiles;
   counts_io.tile_floats = std::max(counts_io.tile_floats, (1 + tiles) * kTileFloats);
 }
@@ -113,7 +113,7 @@ void count_plane(const Runs (&planes)[kPlanes], Counts& counts_io) {
 template <std::uint32_t kPlanes, typename From>
 void fill_plane(const Runs (&planes)[kPlanes], Model& model, std::uint32_t& next_io, From from) {
   PlaneWalk<kPlanes> left(planes);
-  for (Found found; left.next(found); ++next_io) {
+  for (FoundTile found; left.next(found); ++next_io) {
     model.piece[next_io] = found.piece;
     model.tile[next_io] = from(found);
   }
@@ -123,7 +123,7 @@ void fill_plane(const Runs (&planes)[kPlanes], Model& model, std::uint32_t& next
 void fill_nodes(Runs below, Runs above, Model& model, std::uint32_t& next_io) {
   Places<1> first_below({below}), second_below({below});
   Places<1> first_above({above}), second_above({above});
-  fill_plane<2>({above, below}, model, next_io, [&](const Found& at) -> Tile {
+  fill_plane<2>({above, below}, model, next_io, [&](const FoundTile& at) -> Tile {
     return {{first_below.of(std::int64_t{at.y} - 1, at.x), second_below.of(at.y, at.x),
              first_above.of(std::int64_t{at.y} - 1, at.x), second_above.of(at.y, at.x)},
             0};
@@ -134,7 +134,7 @@ void fill_nodes(Runs below, Runs above, Model& model, std::uint32_t& next_io) {
 void fill_voxels(Runs below, Runs here, Runs above, Model& model, std::uint32_t& next_io) {
   Places<2> first_below({here, below}), second_below({here, below});
   Places<2> first_above({above, here}), second_above({above, here});
-  fill_plane<1>({here}, model, next_io, [&](const Found& at) -> Tile {
+  fill_plane<1>({here}, model, next_io, [&](const FoundTile& at) -> Tile {
     return {{first_below.of(at.y, at.x), second_below.of(std::int64_t{at.y} + 1, at.x),
              first_above.of(at.y, at.x), second_above.of(std::int64_t{at.y} + 1, at.x)},
             0};

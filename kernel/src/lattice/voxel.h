@@ -73,7 +73,7 @@ VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slo
                        std::uint32_t row);
 
 // Weights of the voxels around a rest point, times fill; no voxels outside the tissue. Tent weights
-// change smoothly along a way. Even ones are the same for all places between the same centres.
+// change smoothly along a path. Equal weights are the same for all places between the same centres.
 // Stiff ones are tent weights times the root of fill and stiffness (coupling/support.cpp says why).
 enum class Weighting { kTent, kEven, kStiff };
 std::uint32_t find_supports(const Model& model, Vec3 rest_m,
@@ -84,7 +84,7 @@ std::uint32_t find_supports(const Model& model, Vec3 rest_m,
 bool present_place(const Model& model, const State& state, Vec3 rest_m, Vec3& place_out_m);
 bool inside_lattice(const Model& model, Vec3 rest_m);
 
-// What a rest point lies in, finer than voxels (OrganMixed); kNoTissue if in no tissue.
+// The material at a rest point, finer than voxels (OrganMixed); kNoTissue outside of all tissue.
 std::uint32_t material_at(const Model& model, Vec3 rest_m);
 
 }  // namespace stylet

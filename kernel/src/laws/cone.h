@@ -10,21 +10,21 @@
 // skin (film.h) it grows faster at first: up to a depth l1 evenly to w1, then evenly to 1. So the
 // law has three pieces, each with F = F_j + k (w_j (d - l_j) + a_j (d - l_j)^2 / 2).
 //
-// This is the law of all the tissue. The lattice gives way by itself, by a part c of the punch's
-// 1 / k. The tip's own spring keeps y = d - c F(d) / k: the same force at a smaller depth, with
-// the energy U(d) - c F^2 / (2 k). A cone of its own for the spring made the whole law depend on
-// the voxel.
+// This is the law of all the tissue. The compliance of the lattice is a part c of the punch's 1 /
+// k. The tip's own spring keeps y = d - c F(d) / k: the same force at a smaller depth, with the
+// energy U(d) - c F^2 / (2 k). A cone of its own for the spring made the whole law depend on the
+// voxel.
 //
-// Under larger forces the lattice gives way faster: by c / k (F + g F^2) up to a force F_end, and
-// beyond it with the slope at F_end. To first order in g the spring then carries F + c w / (1 - c
-// w) g F^2, with F as above, and stores c / k g F^3 / 3 more.
+// Under larger forces the lattice yields more than in proportion: by c / k (F + g F^2) up to a
+// force F_end, and beyond it with the slope at F_end. To first order in g the spring then carries F
+// + c w / (1 - c w) g F^2, with F as above, and stores c / k g F^3 / 3 more.
 //
-// Relaxed, the whole law is that of a cone with (1 - phi) k. The lattice does not relax, so the
-// spring's relaxed law is what the lattice leaves of that cone, with the part (1 - phi) c. Q(y) is
-// the difference of the spring's two laws. The missing force q follows Q in time (as in Fung's
-// quasi-linear law), and the spring carries F - q. If z is the depth with Q(z) = q, the spring's
-// energy is U(y) - (U_Q(z) + q (y - z)), which creep can only lower. As vectors, F and Q point
-// along the displacement they belong to.
+// The relaxed law of all the tissue is that of a cone with (1 - phi) k. The lattice does not relax,
+// so the spring's relaxed law is that cone's less the compliance of the lattice, which is now the
+// part (1 - phi) c. Q(y) is the difference of the spring's two laws. The lost force q follows Q in
+// time (as in Fung's quasi-linear law), and the spring carries F - q. If z is the depth with Q(z) =
+// q, the spring's energy is U(y) - (U_Q(z) + q (y - z)), which creep can only lower. As vectors, F
+// and Q point along the displacement they belong to.
 //
 // Promises: no branch on hardware, no allocation. Units SI. PHYSICS 8.1.
 #pragma once
@@ -227,8 +227,8 @@ inline float missing_depth(const ContactLaw& law, float missing_n) {
   return e.depth_m + x - left * piece_force_m(e, x);
 }
 
-// How much faster than the whole the spring's missing force must follow: the lattice takes up the
-// spring's creep.
+// The factor by which the spring's lost force must follow faster than that of the whole, because
+// the lattice takes up a part of the spring's creep.
 inline float relaxation_pace(const ContactLaw& law, float own_m) {
   return (1 - law.now.lattice_part * cone_width(law.now, own_m)) /
          (1 - law.relaxed.lattice_part * cone_width(law.relaxed, own_m));

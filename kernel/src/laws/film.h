@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A thin skin on tissue, pressed in by a needle's point: a capsule, a fascia.
 //
-// A skin that hardly bends carries a point by stretching around it. If the skin's deformation is L
-// wide, then at the depth d the skin stores about M d^4 / L^2 and the tissue below E* d^2 L, with M
-// the skin's modulus times its thickness and E* = E / (1 - nu^2). So L^3 goes as M d^2 / E*, and
+// A skin with hardly any bending stiffness carries a point by stretching around it. If the dimple
+// is L wide, then at the depth d the skin stores about M d^4 / L^2 and the tissue below E* d^2 L,
+// with M the skin's modulus times its thickness and E* = E / (1 - nu^2). So L^3 goes as M d^2 / E*,
+// and
 //   F(d) = C E*^(2/3) M^(1/3) d^(5/3),
 // for any needle, as long as contact is narrower than L; it is a little less where the skin becomes
 // steep. C and that reduction come from a stretched skin, bonded to a half space, solved by
@@ -32,7 +33,7 @@ inline Widening film_widening(const Film& film) {
   return {kFilmChange * film.depth_m, kFilmFirst * film.depth_m, film.first_width};
 }
 
-// Force of the law at a share of that depth, over k and that depth. It is linear in the width.
+// Force of the law at a fraction of that depth, over k and that depth. It is linear in the width.
 inline float film_shape(float share, float first_width) {
   const Cone law = {1, {kFilmChange, kFilmFirst, first_width}, 0, 0, 0};
   return cone_point(law, share).force_m();

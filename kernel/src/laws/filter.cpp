@@ -33,7 +33,7 @@ Chebyshev chebyshev(std::uint32_t degree, double damping) {
 }
 
 // Largest x p(x) over s, for the polynomial p of so many passes.
-double share_left(std::uint32_t passes, double damping) {
+double fraction_left(std::uint32_t passes, double damping) {
   const std::uint32_t degree = passes + 1;
   const Chebyshev t = chebyshev(degree, damping);
   return (1 + t.value[degree]) / ((1 + t.w0) * t.slope[degree]);
@@ -41,11 +41,11 @@ double share_left(std::uint32_t passes, double damping) {
 
 // The most damping with which the passes leave no more than `share`, or the least.
 double choose_damping(std::uint32_t passes, double share) {
-  if (share_left(passes, kMostDamping) <= share) return kMostDamping;
+  if (fraction_left(passes, kMostDamping) <= share) return kMostDamping;
   double damping = kLeastDamping;
   double step = (kMostDamping - kLeastDamping) / 2;
   for (int i = 0; i < kHalvings; ++i, step /= 2) {
-    if (share_left(passes, damping + step) <= share) damping += step;
+    if (fraction_left(passes, damping + step) <= share) damping += step;
   }
   return damping;
 }
@@ -59,7 +59,7 @@ float wave_limit_per_s2(float step_s, float tau_s) {
 
 float most_filtered_per_s2(float limit_per_s2) {
   return static_cast<float>(static_cast<double>(limit_per_s2) /
-                            share_left(kMaxFilterPasses, kLeastDamping));
+                            fraction_left(kMaxFilterPasses, kLeastDamping));
 }
 
 // With x = w0 - (1 + w0) z, z = S / s, and T_n(x) = T_n(w0) - z r_n, the polynomial is r_n over its
@@ -70,7 +70,7 @@ Filter choose_filter(float limit_per_s2, float fastest_per_s2) {
   const double fastest = static_cast<double>(fastest_per_s2);
   const double limit = static_cast<double>(limit_per_s2);
   for (std::uint32_t passes = 1; passes <= kMaxFilterPasses; ++passes) {
-    if (fastest * share_left(out.passes, kLeastDamping) > limit) out.passes = passes;
+    if (fastest * fraction_left(out.passes, kLeastDamping) > limit) out.passes = passes;
   }
   const Chebyshev t = chebyshev(out.passes + 1, choose_damping(out.passes, limit / fastest));
   for (std::uint32_t j = 1; j <= out.passes; ++j) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fluid in a needle: what flows through its bore between a syringe, or the open hub, and the tissue
-// at its opening.
+// Fluid in a needle: the flow through its bore, between a syringe or the open hub and the tissue at
+// the needle's opening.
 //
-// The bore is a tube with Poiseuille's resistance, in series with what the tissue resists. From the
-// opening on, a part of it is filled with the tissue's fluid, the rest with what was there before;
-// the two have their own viscosities. The syringe is a plunger without mass, with Coulomb friction,
-// on a liquid with a bubble of gas (Boyle's law), which stands for all that gives. The pressure
-// after a step is the root of a quadratic equation: implicit, so stable for every step.
+// The bore is a tube with Poiseuille's resistance, in series with the resistance of the tissue.
+// From the opening on, a part of it is filled with the tissue's fluid, the rest with what was there
+// before; the two have their own viscosities. The syringe is a plunger without mass, with Coulomb
+// friction, on a liquid with a bubble of gas (Boyle's law), which stands for all elasticity. The
+// pressure after a step is the root of a quadratic equation: implicit, so stable for every step.
 //
-// Flow, volumes and ways count as positive towards the tissue; pressures are those above the air's.
-// Promises: only + - * / and square root, no loop; finite for every accepted configuration.
+// Flow, volumes and displacements are positive towards the tissue; pressures are above that of the
+// air. Promises: only + - * / and square root, no loop; finite for every accepted configuration.
 // Units SI. PHYSICS 9.9.
 #pragma once
 
@@ -35,12 +35,12 @@ struct Bore {
   double content_m3, room_m3;  // how much the plunger may push out, and draw in
 };
 
-// What an opening in a tissue meets. A conductance below 0: no tissue resists, it is in the air.
+// The tissue at the opening. A conductance below 0: the opening is in the air, without resistance.
 struct Opening {
   double pressure_pa, conductance_m3_per_pa_s, viscosity_pa_s;
 };
 
-// What the next step needs of the last one.
+// What one step leaves to the next.
 struct FluidState {
   double hub_pa;
   double injected_m3;      // that left the opening since the start

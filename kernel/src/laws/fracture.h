@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a needle meets in a tissue: puncture, cutting and friction, once for each needle and tissue.
+// Puncture, cutting and friction of a needle in a tissue, computed once for each pair of them.
 //
-// Written forces are taken as they are. Where a tissue has a toughness J, they follow from it. The
+// Written forces are used as they are. If a tissue has a toughness J, forces follow from that. The
 // tip tears a crack of the length c and the shank spreads it to a hole as wide as itself (Shergold
 // and Fleck 2004; Azar and Hayward 2008; Barnett, Lee, Moore 2015):
 //   F_c = J c + F_h (1 + mu cot(alpha)),   F_h = (pi / 4) E* a^2.
 // F_h is the energy of a straight crack in linear elasticity (plane strain), under an even pressure
 // p = E* / 2 at which it is an ellipse as wide as it is long: the needle's section, for a crack as
 // long as the needle is wide. The cone of half angle alpha rubs at that pressure as it goes in.
-// Friction per length of shaft is mu p 2 pi a. In a hole that is there already nothing is torn.
+// Friction per length of shaft is mu p 2 pi a. In an existing hole nothing is torn.
 //
 // A surface is punctured when pressing it in has taken as much work as cutting to that depth would
 // have, U(d) = F_c d (Fregonese and Bacca 2021): with the law of contact (cone.h) at 2 to 3 times
@@ -113,7 +113,7 @@ inline void tear(const Material& m, const NeedleConfig& needle, float cone_m, Ne
                                : piercing_n(out.cutting_n, 2 * radius_m * plane_pa * stiffer.deep,
                                             cone_m * (stiffer.deep / stiffer.shallow));
   out.puncture_n = min_of(pierced_n, kMaxTipForceN);
-  // A tip that comes from other tissue has its crack ahead of it. A skin is still whole.
+  // For a tip that comes from other tissue the crack already exists. A skin is still whole.
   out.layer_n = skin ? out.puncture_n : out.cutting_n;
 }
 

@@ -5,10 +5,10 @@
 //     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + c v.
 // Speeds have no sign; the return map knows the direction. Another law with these numbers changes
 // friction_n_per_m and least_friction_n_per_m. One more number is also a line of the list below,
-// and where no material has it yet, one in stylet/material.h (tests/unit/add_law_test.py).
-// A law that a tissue chooses is added to the first: each law has lines of its own in the list,
-// whose forces are 0 in tissues of the other law. So a shaft in two tissues has each law on its
-// part of the length; a choice between two names would say nothing of a mean.
+// and where no material has it yet, one in stylet/material.h (tests/unit/add_law_test.py). A law
+// that a tissue chooses is added to the first: each law has lines of its own in the list, whose
+// forces are 0 in tissues of the other law. So a shaft in two tissues has each law on its part of
+// the length. (A choice by name would have no mean over the two.)
 //
 // Promises: no branch on hardware, no allocation; same bits everywhere. Units SI.
 // Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
@@ -20,8 +20,8 @@
 
 namespace stylet {
 
-// F(number, of): a number of a shaft's friction, per metre of it, and what it is of the material m.
-// None is below 0. Along a shaft in several tissues each is the mean over the length.
+// F(number, of): a number of the friction of a metre of shaft, and how it follows from the material
+// m. None is below 0. Along a shaft in several tissues each is the mean over the length.
 #define STYLET_FRICTION_NUMBERS(F)                             \
   F(coulomb_n_per_m, m.coulomb_friction_n_per_m)               \
   F(static_n_per_m, m.static_friction_n_per_m)                 \
@@ -65,8 +65,8 @@ inline float friction_n_per_m(const Friction& f, float speed_m_per_s) {
          f.viscous_n_s_per_m2 * speed_m_per_s;
 }
 
-// Its least value (no material's static friction is below Coulomb's): a smaller force needs no look
-// at the law.
+// Its least value over all speeds, because no static friction is below Coulomb's. A particle with a
+// smaller force sticks, whatever the law.
 inline float least_friction_n_per_m(const Friction& f) {
   return f.coulomb_n_per_m;
 }

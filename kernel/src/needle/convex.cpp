@@ -40,22 +40,22 @@ struct Simplex {
 };
 
 // Nearest point of a simplex to the origin: `weight` is the weight of each corner.
-struct Nearest {
+struct SimplexPoint {
   Vec3d p;
   double square;  // of the distance; 0 inside a tetrahedron
   double weight[4];
 };
 
-const Nearest& nearer(const Nearest& a, const Nearest& b) {
+const SimplexPoint& nearer(const SimplexPoint& a, const SimplexPoint& b) {
   return b.square < a.square ? b : a;
 }
 
-Nearest on_edge(const Simplex& s, std::uint32_t i, std::uint32_t j) {
+SimplexPoint on_edge(const Simplex& s, std::uint32_t i, std::uint32_t j) {
   const Vec3d a = s.corner[i].p, ab = s.corner[j].p - a;
   const double length2 = dot(ab, ab);
   double t = length2 > 0 ? -dot(a, ab) / length2 : 0;
   t = t < 0 ? 0 : (t > 1 ? 1 : t);
-  Nearest n = {};
+  SimplexPoint n = {};
   n.weight[j] = t;
   n.weight[i] = 1 - t;  // second, as where i is j the one corner has all the weight
   n.p = a + t * ab;
@@ -63,7 +63,7 @@ Nearest on_edge(const Simplex& s, std::uint32_t i, std::uint32_t j) {
   return n;
 }
 
-Nearest on_face(const Simplex& s, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+SimplexPoint on_face(const Simplex& s, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
   const Vec3d a = s.corner[i].p, b = s.corner[j].p, c = s.corner[k].p;
   const Vec3d across = cross(b - a, c - a);
   const double area2 = dot(across, across);
@@ -72,7 +72,7 @@ Nearest on_face(const Simplex& s, std::uint32_t i, std::uint32_t j, std::uint32_
   if (!(area2 > 0) || u < 0 || v < 0 || w < 0) {
     return nearer(nearer(on_edge(s, i, j), on_edge(s, j, k)), on_edge(s, k, i));
   }
-  Nearest n = {};
+  SimplexPoint n = {};
   n.weight[i] = u / area2;
   n.weight[j] = v / area2;
   n.weight[k] = w / area2;
@@ -81,7 +81,7 @@ Nearest on_face(const Simplex& s, std::uint32_t i, std::uint32_t j, std::uint32_
   return n;
 }
 
-Nearest in_tetrahedron(const Simplex& s) {
+SimplexPoint in_tetrahedron(const Simplex& s) {
   const Vec3d a = s.corner[0].p, b = s.corner[1].p, c = s.corner[2].p, d = s.corner[3].p;
   const double volume = dot(b - a, cross(c - a, d - a));
   const double wa = dot(b, cross(c, d)), wb = -dot(a, cross(c, d));
@@ -93,7 +93,7 @@ Nearest in_tetrahedron(const Simplex& s) {
                 nearer(on_face(s, 0, 2, 3), on_face(s, 1, 2, 3)));
 }
 
-Nearest nearest(const Simplex& s) {
+SimplexPoint nearest(const Simplex& s) {
   if (s.count == 4) return in_tetrahedron(s);
   if (s.count == 3) return on_face(s, 0, 1, 2);
   return on_edge(s, 0, s.count - 1);
@@ -108,7 +108,7 @@ bool holds(const Simplex& s, Vec3d p) {
 }
 
 // Drops corners on which the nearest point does not lie; returns its parameter on the segment.
-double reduce(Simplex& s, const Nearest& n) {
+double reduce(Simplex& s, const SimplexPoint& n) {
   std::uint32_t kept = 0;
   double place = 0;
   for (std::uint32_t i = 0; i < s.count; ++i) {
@@ -204,7 +204,7 @@ Closest closest(const ConvexHull& hull, const Segment& segment) {
     if (square - dot(v, p) <= kDistanceTolerance * square || holds(s, p)) break;
     Simplex grown = s;
     grown.corner[grown.count++] = {p, at_b ? 1.0 : 0.0};
-    const Nearest n = nearest(grown);
+    const SimplexPoint n = nearest(grown);
     if (step > 0 && !(n.square < square)) break;  // rounding: no nearer point can be found
     place = reduce(grown, n);
     s = grown;

@@ -11,11 +11,11 @@ namespace {
 
 // If the axis is nearer to the body than this part of the rounding, it is viewed from outside along
 // the last normal: a distance of zero has no direction.
-constexpr double kCoreShare = 0.25;
+constexpr double kCoreFraction = 0.25;
 // If a normal turns by more than 120 degrees, the needle has passed through the body.
 constexpr double kThroughCosine = -0.5;
 // Least normal stiffness at a saturated force, so that rounding cannot make it negative.
-constexpr double kLeastStiffnessShare = 1e-5;
+constexpr double kLeastStiffnessFraction = 1e-5;
 
 constexpr float kLargestConfigM = 10;
 constexpr float kRotationTolerance = 1e-3F;
@@ -186,13 +186,13 @@ Status obstacle_prepare(const ObstacleConfig& config, Obstacle& obstacle_out) {
 
 Mat3 obstacle_stiffness(const Obstacle& obstacle, Vec3 normal, double depth_m, bool slips) {
   const float k = obstacle.config.stiffness_n_per_m;
-  const double least = kLeastStiffnessShare * static_cast<double>(k);
+  const double least = kLeastStiffnessFraction * static_cast<double>(k);
   const double along = max_of(press_of(obstacle.config, depth_m).stiffness_n_per_m, least);
   return stiffness_matrix(normal, static_cast<float>(along), slips ? 0 : k);
 }
 
 bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
-               const ObstacleContact& last, Vec3d now_m, const Approach& from,
+               const ObstacleContact& last, Vec3d now_m, const CameFrom& from,
                const FaceLimits& limits, ObstacleFace& out) {
   const double rounding = rounding_of(obstacle, radius_m);
   const Segment axis = in_body(obstacle, axis_m);
@@ -200,7 +200,7 @@ bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
   const ConvexHull hull = hull_of(obstacle);
   const bool known = !is_zero(last.normal);
   const Vec3d before = to_body(obstacle.rotation, known ? to_double(last.normal) : from.seen);
-  const Closest closest = view(obstacle, axis, kCoreShare * rounding, before, from.before_m);
+  const Closest closest = view(obstacle, axis, kCoreFraction * rounding, before, from.before_m);
   out = {};
   out.place = static_cast<float>(closest.place);
   Vec3d normal = closest.normal;

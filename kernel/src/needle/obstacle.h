@@ -77,8 +77,9 @@ struct ObstacleFace {
   bool goes_on;         // continues the contact of the last call
 };
 
-// From where a piece that touched nothing has come into a body: that side is its way out.
-struct Approach {
+// The side from which a piece that touched nothing has entered a body, and on which it leaves it
+// again.
+struct CameFrom {
   Vec3d seen;        // the direction out of the body when it was last seen; zero: it was not
   Segment before_m;  // else: where the piece's axis was before
 };
@@ -91,7 +92,7 @@ struct FaceLimits {
 // Finds a face within these limits. `last`: what the contact remembers. `now_m`: where its point of
 // the needle is now.
 bool find_face(const Obstacle& obstacle, const Segment& axis_m, double radius_m,
-               const ObstacleContact& last, Vec3d now_m, const Approach& from,
+               const ObstacleContact& last, Vec3d now_m, const CameFrom& from,
                const FaceLimits& limits, ObstacleFace& out);
 
 // Energy in J that slip, turning and release take from a contact. The contact ends `moved_m` from

@@ -11,13 +11,13 @@ namespace {
 
 // Tried parts of a step. The first is Newton's step; the others find the way if faces are met or
 // left on it, or if the shape is not stable.
-constexpr double kTriedShare[kRodTrials] = {1, 0.5, 0.2, 0.05};
+constexpr double kTriedFraction[kRodTrials] = {1, 0.5, 0.2, 0.05};
 // A pivot below this says that earlier pivots were almost zero, and the step is no better: it is
 // computed again with this part of the compression. (When it was taken, and only later steps used
 // a smaller part, every third step was lost: a needle pressed on hard bone reached its buckled
 // shape a tick late, at up to four times its load.)
 constexpr double kWildPivot = -0.1;
-constexpr double kTamedShare = 0.25;
+constexpr double kTamedFraction = 0.25;
 // A step below this is rounding.
 constexpr double kRestsRad = 1e-7;
 // From this slope of friction's allowed force over its limit on, the contact is taken to stick.
@@ -27,7 +27,7 @@ constexpr double kSteepestFall = -9;
 // Limits that differ by less than this part say nothing about how the force follows them. Nor does
 // a limit whose last step was longer than this: the force then changes for other reasons, too.
 // (That gave a slope of 5, and a tip that slid stuck for a tick, at 2 to 4 N.)
-constexpr double kLeastLimitShare = 0.01;
+constexpr double kLeastLimitFraction = 0.01;
 constexpr double kSettledRad = 1e-4;
 
 RodTouch touch_at(const RodFace& face, Vec3d x) {
@@ -90,7 +90,7 @@ bool expect_faces(const RodModel& model, const RodResult& result, const RodScrat
 // limit, the contact holds itself, and sticks.
 double next_limit(const RodFace& face, double allowed_n) {
   const double change = face.limit_n - face.limit_before_n;
-  const double least = kLeastLimitShare * (face.limit_n + allowed_n);
+  const double least = kLeastLimitFraction * (face.limit_n + allowed_n);
   if (!face.slid || (change < least && change > -least)) return 0.5 * (face.limit_n + allowed_n);
   const double slope = (allowed_n - face.allowed_before_n) / change;
   if (slope > kHoldsItself) return kMaxRodForceN;
@@ -172,7 +172,7 @@ void choose_lengths(const RodModel& model, double farthest_m, const RodScratch& 
   const double allowed = min_of(kMaxTurnRad / max_of(result.last_turn_rad, kRestsRad),
                                 farthest_m / max_of(far_m, kRestsRad));
   for (std::uint32_t trial = 0; trial < kRodTrials; ++trial) {
-    length_out[trial] = min_of(1, allowed) * kTriedShare[trial];
+    length_out[trial] = min_of(1, allowed) * kTriedFraction[trial];
   }
   if (!(result.least_pivot > 0) && allowed > 2) length_out[1] = 0.5 * allowed;
 }
@@ -208,20 +208,20 @@ Step take_best_step(const RodModel& model, const Frame& handle, const RodFaces& 
 Step bend_step(const RodModel& model, const Frame& handle, const RodCare& care, bool last,
                RodFaces& faces, RodShape& shape, RodScratch& scratch, RodResult& result) {
   for (std::uint32_t j = 0; j < model.rods; ++j) scratch.lump[j] = scratch.load_lump[j];
-  const bool careful = shape.compression_share < 1;
+  const bool careful = shape.compression_fraction < 1;
   add_faces(model, result, faces, careful, scratch);
   if (careful) add_hold(model, care.hold_n_per_m, result, scratch);
-  const double share = shape.compression_share;
+  const double share = shape.compression_fraction;
   result.least_pivot = sweep_back(model, share, careful ? kFirmLift : kSoftLift, result, scratch);
   if (result.least_pivot < kWildPivot) {
     if (!careful) add_hold(model, care.hold_n_per_m, result, scratch);
-    (void)sweep_back(model, kTamedShare * share, kFirmLift, result, scratch);
+    (void)sweep_back(model, kTamedFraction * share, kFirmLift, result, scratch);
   }
   result.last_turn_rad = sweep_forth(model, result, scratch);
   if (expect_faces(model, result, scratch, faces) && !last) return Step::kNone;
   const Step step = take_best_step(model, handle, faces, care.farthest_m, scratch, result);
-  shape.compression_share =
-      step == Step::kNone ? max_of(kLeastCompressionShare, 0.25 * share) : min_of(1, 2 * share);
+  shape.compression_fraction =
+      step == Step::kNone ? max_of(kLeastCompressionFraction, 0.25 * share) : min_of(1, 2 * share);
   return step;
 }
 
@@ -242,7 +242,7 @@ void make_rod(std::uint32_t rods, double length_m, double bending_nm2,
 
 void relax_rod(const RodModel& model, RodShape& shape_out) {
   shape_out = {};
-  shape_out.compression_share = shape_out.step_share = 1;
+  shape_out.compression_fraction = shape_out.step_length = 1;
   Frame frame = handle_frame({1, 0, 0, 0}), half;
   for (std::uint32_t j = 0; j < model.rods; ++j) {
     const Vec3d rest = rest_direction(model.rest[j], frame);

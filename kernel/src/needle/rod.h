@@ -93,9 +93,9 @@ struct RodLoads {
 
 // State: what a tick leaves to the next.
 struct RodShape {
-  Vec3d direction[kMaxRods];  // in the handle's frame
-  double compression_share;   // factor of compression in the second derivative, 0 to 1
-  double step_share;          // step length: part of a Newton step that is taken
+  Vec3d direction[kMaxRods];    // in the handle's frame
+  double compression_fraction;  // factor of compression in the second derivative, 0 to 1
+  double step_length;           // step length: part of a Newton step that is taken
 };
 
 // A body's face beside a place of the needle. It pushes out along its normal by the law of

@@ -25,7 +25,7 @@ struct PivotLift {
 constexpr PivotLift kFirmLift = {0.01, 100};
 // For steps whose length the energy decides: a soft direction of the needle stays soft.
 constexpr PivotLift kSoftLift = {1e-6, 2};
-constexpr double kLeastCompressionShare = 1.0 / 1024;
+constexpr double kLeastCompressionFraction = 1.0 / 1024;
 
 constexpr Sym3d operator+(const Sym3d& a, const Sym3d& b) {
   return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
@@ -102,7 +102,7 @@ void add_to_lump(RodScratch::Lump& lump, double from_start_m, const Sym3d& k, Ve
   lump.along_nm = lump.along_nm + from_start_m * at_origin_n;
 }
 
-constexpr double kLeastStepShare = 0.1;
+constexpr double kLeastStepFraction = 0.1;
 // A squared change of direction below this is rounding, rad^2.
 constexpr double kNoTurn2 = 1e-24;
 
@@ -127,7 +127,7 @@ constexpr Vec3d clamped(Vec3d v, double limit) {
   return {max_of(-limit, min_of(v.x, limit)), max_of(-limit, min_of(v.y, limit)),
           max_of(-limit, min_of(v.z, limit))};
 }
-constexpr double share_below(double limit, double size) {
+constexpr double fraction_below(double limit, double size) {
   return limit / max_of(limit, size);
 }
 
@@ -135,7 +135,7 @@ constexpr double share_below(double limit, double size) {
 RodLoad bounded(const RodLoads& loads, std::uint32_t i) {
   const RodLoad& load = i < loads.count ? loads.load[i] : kNoLoad;
   const Sym3d& k = load.stiffness_n_per_m;
-  const double share = share_below(kMaxRodStiffnessNPerM, k.xx + k.yy + k.zz);
+  const double share = fraction_below(kMaxRodStiffnessNPerM, k.xx + k.yy + k.zz);
   return {load.arc_m, clamped(load.place_m, kMaxRodPlaceM), clamped(load.force_n, kMaxRodForceN),
           share * k};
 }
@@ -176,7 +176,7 @@ void read_loads(const RodModel& model, const RodScratch& scratch, RodResult& res
 // Energy of everything beyond a place, to second order in the place's small displacement and the
 // turn of its rod. Derivatives: by displacement, displacement and turn (rows: displacement),
 // turn.
-struct Energy {
+struct QuadraticEnergy {
   Sym3d move_move;
   Vec3d move_turn[3];
   Sym3d turn_turn;
@@ -187,7 +187,7 @@ struct Energy {
 // into one of the start, and adds the loads on the rod. To second order the end also moves by
 // -l |turn|^2 t / 2: there an axial force adds or removes stiffness.
 void move_to_start(double l, Vec3d t, Vec3d start, const RodScratch::Lump& load,
-                   double compression_share, Energy& e) {
+                   double compression_fraction, QuadraticEnergy& e) {
   const Vec3d by_start = load.start * start + load.mixed * t - load.start_n;
   const Vec3d by_direction = l * e.move + (load.mixed * start + load.along * t - load.along_nm);
 
@@ -201,7 +201,7 @@ void move_to_start(double l, Vec3d t, Vec3d start, const RodScratch::Lump& load,
   const Vec3d c1 = cross(t, {r0.y, r1.y, r2.y});
   const Vec3d c2 = cross(t, {r0.z, r1.z, r2.z});
   const double axial = dot(t, by_direction);  // positive: compression
-  const double a = axial > 0 ? compression_share * axial : axial;
+  const double a = axial > 0 ? compression_fraction * axial : axial;
   const Vec3d at = a * t;
   e.turn_turn =
       e.turn_turn + Sym3d{(c0.x + c0.x) + (at.x * t.x - a), (c1.x + c0.y) + at.x * t.y,
@@ -242,7 +242,8 @@ constexpr Sym3d product(Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
 
 // Turns a function of the rod after a joint into one of the rod before it: adds the joint's energy
 // and minimises over its two angles. Returns the least eigenvalue of the pivot.
-double cross_joint(double stiffness, Vec3d t, PivotLift lift, RodScratch::Joint& joint, Energy& e) {
+double cross_joint(double stiffness, Vec3d t, PivotLift lift, RodScratch::Joint& joint,
+                   QuadraticEnergy& e) {
   const Vec3d u = joint.rest, v = cross(t, u), b1 = joint.axis_1, b2 = joint.axis_2;
   const double c = dot(u, t);
   const double s = 1 / max_of(1 + c, kLeastOpening);
@@ -286,14 +287,14 @@ double cross_joint(double stiffness, Vec3d t, PivotLift lift, RodScratch::Joint&
 }
 
 // From tip to handle. Returns the least pivot over EI / l.
-double sweep_back(const RodModel& model, double compression_share, PivotLift lift,
+double sweep_back(const RodModel& model, double compression_fraction, PivotLift lift,
                   const RodResult& result, RodScratch& scratch) {
-  Energy energy{};
+  QuadraticEnergy energy{};
   double least = kRigidBendingNm2;
   for (std::uint32_t j = model.rods; j-- > 0;) {
     const double stiffness = j == 0 ? 2 * model.joint_nm_per_rad : model.joint_nm_per_rad;
     const Vec3d t = result.direction[j];
-    move_to_start(model.rod_m, t, result.node_m[j], scratch.lump[j], compression_share, energy);
+    move_to_start(model.rod_m, t, result.node_m[j], scratch.lump[j], compression_fraction, energy);
     const double pivot = cross_joint(stiffness, t, lift, scratch.joint[j], energy);
     least = min_of(least, pivot / model.joint_nm_per_rad);
   }
@@ -321,8 +322,9 @@ double sweep_forth(const RodModel& model, const RodResult& result, RodScratch& s
 void take_step(const RodModel& model, double least_pivot, RodShape& shape, RodScratch& scratch,
                RodResult& result) {
   const bool stable = least_pivot > 0;
-  shape.compression_share = stable ? min_of(1, 2 * shape.compression_share)
-                                   : max_of(kLeastCompressionShare, 0.25 * shape.compression_share);
+  shape.compression_fraction =
+      stable ? min_of(1, 2 * shape.compression_fraction)
+             : max_of(kLeastCompressionFraction, 0.25 * shape.compression_fraction);
   double reversal = 0, before = 0;
   for (std::uint32_t j = 0; j < model.rods; ++j) {
     reversal -= dot(scratch.change[j], scratch.change_before[j]);
@@ -330,9 +332,9 @@ void take_step(const RodModel& model, double least_pivot, RodShape& shape, RodSc
   }
   // A tick's first step has no earlier one to compare with, and does not change the step length.
   const bool moved = before > kNoTurn2, oscillates = moved && reversal > 0.25 * before;
-  shape.step_share *= oscillates ? 0.5 : (moved ? 2.0 : 1.0);
-  shape.step_share = max_of(kLeastStepShare, min_of(shape.step_share, 1));
-  const double share = shape.step_share * share_below(kMaxTurnRad, result.last_turn_rad);
+  shape.step_length *= oscillates ? 0.5 : (moved ? 2.0 : 1.0);
+  shape.step_length = max_of(kLeastStepFraction, min_of(shape.step_length, 1));
+  const double share = shape.step_length * fraction_below(kMaxTurnRad, result.last_turn_rad);
   for (std::uint32_t j = 0; j < model.rods; ++j) {
     const Vec3d change = share * scratch.change[j];
     const Vec3d t = result.direction[j] + change;
@@ -350,7 +352,7 @@ void newton_steps(const RodModel& model, const Frame& handle, RodShape& shape, R
   }
   for (std::uint32_t step = 0; step < kRodNewtonSteps; ++step) {
     place_rods(model, handle, scratch, result);
-    const double least = sweep_back(model, shape.compression_share, kFirmLift, result, scratch);
+    const double least = sweep_back(model, shape.compression_fraction, kFirmLift, result, scratch);
     result.least_pivot = min_of(result.least_pivot, least);
     result.last_turn_rad = sweep_forth(model, result, scratch);
     take_step(model, least, shape, scratch, result);

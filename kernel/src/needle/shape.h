@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The needle of one tick as a line of straight rods: where it is and in which direction it points.
+// The needle of one tick as a chain of straight rods: its places and directions.
 //
 // A rigid needle is one rod from the handle; an elastic one is the chain of rod.h. Nodes run from
 // the handle to the tip; arc lengths count from the tip, as constraint particles do.

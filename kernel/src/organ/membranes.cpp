@@ -25,7 +25,7 @@ struct Way {
 };
 
 // The nearest crossing found so far.
-struct Found {
+struct Crossing {
   float at_m;
   std::uint32_t material;
   Vec3 normal;
@@ -43,7 +43,7 @@ bool is_open(const Way& way, Vec3 at_m, std::uint32_t material) {
 }
 
 // Crossings of the triangles of one cell that are nearer than the one found so far.
-void test_cell(const Organ& organ, const OrganMembraneCell& cell, const Way& way, Found& found) {
+void test_cell(const Organ& organ, const OrganMembraneCell& cell, const Way& way, Crossing& found) {
   const auto point = [&](std::uint32_t i) {
     const OrganPoint& p = organ.membrane_points[i];
     return Vec3{p.x, p.y, p.z};
@@ -66,7 +66,7 @@ std::uint64_t order_of(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
 }
 
 // All membranes of a cell of space.
-void test_place(const Organ& organ, std::uint64_t place, const Way& way, Found& found) {
+void test_place(const Organ& organ, std::uint64_t place, const Way& way, Crossing& found) {
   const auto before = [](const OrganMembraneCell& cell, std::uint64_t at) {
     return order_of(cell.x, cell.y, cell.z) < at;
   };
@@ -111,7 +111,7 @@ MembraneCrossing first_membrane(const Organ& organ, std::span<const MembraneOpen
     const Cells z = cells_of(a.z, b.z, o.z, edge_m, organ.size_z);
     // A triangle of these cells may also cross the way farther on, behind others.
     const float end = from + (1 + kNearEdges) * edge_m;
-    Found found = {min_of(end, searched_m), kNoTissue, {}};
+    Crossing found = {min_of(end, searched_m), kNoTissue, {}};
     for (std::int32_t k = z.first; k <= z.last; ++k) {
       for (std::int32_t j = y.first; j <= y.last; ++j) {
         for (std::int32_t i = x.first; i <= x.last; ++i) {

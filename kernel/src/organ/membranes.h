@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a straight way in the rest frame first meets a membrane that is whole there.
+// Where a straight path in the rest frame first meets a membrane without a hole at that place.
 //
 // Promises: no allocation; at most kMaxMembraneSteps edges of the way, 27 cells of space for each,
 // kMaxTrianglesPerCell triangles in a cell, kMaxOpenings holes for each. Units: m. PHYSICS 9.7.
@@ -11,14 +11,14 @@
 
 namespace stylet {
 
-// A hole that a tip has made: where, across which normal of the membrane, in which one.
+// A hole that a tip has made: its place, and the normal and the material of the membrane there.
 struct MembraneOpening {
   Vec3 at_m, normal;
   std::uint32_t material;
 };
 
-// `clear` is the part of the way before the membrane, or 1. It is less without a membrane, too, if
-// the way is longer than what is searched.
+// `clear` is the part of the path before the membrane, or 1. Without a membrane, too, it is less
+// than 1 if the path is longer than the length that is searched.
 struct MembraneCrossing {
   float clear;
   std::uint32_t material;  // of the membrane; kNoTissue: none

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The runs of an organ as its lattice stores them: planes, lines of nodes, stretches along x.
 //
-// A lattice needs memory for what it holds, not for what it spans. Along x, voxels with fewer than
-// kGap empty cells between them are one stretch; cells between two stretches are not stored. Of
-// several empty planes in a row, one is stored. Rows without a voxel are not stored.
+// The memory of a lattice depends on its voxels, not on the space between them. Along x, voxels
+// with fewer than kGap empty cells between them are one stretch; cells between two stretches are
+// not stored. Of several empty planes in a row, one is stored. Rows without a voxel are not stored.
 //
 // Promises: no allocation; all walks together visit each run a fixed number of times.
 #pragma once
@@ -18,8 +18,8 @@ namespace stylet {
 // Lanes of the lattice sweep: the unit of padding on every instruction set, so that memory and bits
 // do not depend on the instruction set.
 constexpr std::uint32_t kLanes = 16;
-// Shorter holes are stored: as much is lost in the empty lanes at the ends of two stretches. With
-// 16, two kidneys side by side took 2.4 times the slots of one.
+// Shorter holes are stored, because the empty lanes at the ends of two stretches would take as much
+// memory. With 16, two kidneys side by side took 2.4 times the slots of one.
 constexpr std::uint32_t kGap = 8;
 
 using Runs = std::span<const OrganRun>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves all tissue alike. The frame of the attachments: the world, shifted as the patient
-// breathes (BreathingConfig). Gravity that the shape at rest does not have in it.
+// What acts on all tissue alike: the frame of the attachments, which is the world shifted as the
+// patient breathes (BreathingConfig); and the change of gravity since the shape at rest was taken.
 // PHYSICS 4.5, 4.6.
 #pragma once
 

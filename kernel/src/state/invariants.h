@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is true of a needle between the steps of a tick (tick.cpp). It is asserted in debug,
-// sanitizer and fuzzing builds (STYLET_INVARIANTS) and nowhere else.
+// What is true of a needle between the steps of a tick (tick.cpp). It is asserted only in debug,
+// sanitizer and fuzzing builds and in the preset `invariants` (STYLET_INVARIANTS).
 //
 // The asserts guard against errors of this code. Nothing that hardware or a user says can break
 // them, not even a restored snapshot (snapshot.cpp refuses such bytes). Numbers that are not finite

@@ -13,31 +13,31 @@ namespace stylet {
 // slots without stiffness. The slots before the first and after the last are empty, so a node sees
 // zeros beyond the ends. Rows are sorted by plane, y and x.
 struct Row {
-  std::uint32_t slot;
-  std::uint16_t count, x0, y, plane;
-  std::uint32_t node[4];    // particle at (x0, y + dy, plane + dz), index dy + 2 dz
-  std::uint32_t window[2];  // first window of line y, in each of the two lists
+  std::uint32_t slot;                 // of the first voxel
+  std::uint16_t count, x0, y, plane;  // see above
+  std::uint32_t node[4];              // particle at (x0, y + dy, plane + dz), index dy + 2 dz
+  std::uint32_t window[2];            // first window of line y, in each of the two lists
 };
 
 // Where a plane's tiles begin (lattice/tiles.h): of the particles at its low side, then of its
 // voxels.
 struct PlaneTiles {
-  std::uint32_t node, voxel, end;
+  std::uint32_t node, voxel, end;  // indices of tiles; `end` follows the last one of the plane
 };
 
 struct Plane {
-  std::uint32_t row_begin;                     // the next plane's row_begin is the end
-  std::uint32_t z;                             // in space, of the particles at the low side
-  std::uint32_t slot_begin, slot_end;          // multiples of kLanes
-  std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
-  std::uint32_t window_begin[2], window_end[2];
-  std::uint32_t tie_begin, tie_end;  // of the particles at the plane's low side
-  PlaneTiles tiles;
+  std::uint32_t row_begin;                       // the next plane's row_begin is the end
+  std::uint32_t z;                               // in space, of the particles at the low side
+  std::uint32_t slot_begin, slot_end;            // multiples of kLanes
+  std::uint32_t particle_begin, particle_end;    // of the particles at the plane's low side
+  std::uint32_t window_begin[2], window_end[2];  // of 8 and of 16 lanes
+  std::uint32_t tie_begin, tie_end;              // of the particles at the plane's low side
+  PlaneTiles tiles;                              // true mass only
 };
 
 // Two nodes that are one particle, in different sheets of the lattice.
 struct TiedNode {
-  std::uint32_t node, representative;
+  std::uint32_t node, representative;  // particles; the second is the one that moves
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows
@@ -54,8 +54,8 @@ struct Window {
 // in an array of a plane. Voxels take from nodes at (y, y + 1) below, then above; nodes from voxels
 // at (y - 1, y) below, then above.
 struct Tile {
-  std::uint32_t from[4];
-  std::uint32_t ready;  // of voxels: tiles of nodes below them that then have got everything
+  std::uint32_t from[4];  // see above
+  std::uint32_t ready;    // of voxels: tiles of nodes below them that then have got everything
 };
 // What of a stretch lies in the tile of the same index.
 struct Piece {

@@ -14,13 +14,12 @@
 #include "laws/filter.h"
 #include "laws/fluid.h"
 #include "laws/fracture.h"
-#include "laws/friction.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
-#include "organ/membranes.h"
 #include "organ/runs.h"
 #include "state/lattice_plan.h"
 #include "state/members.h"
+#include "state/needle_state.h"
 #include "state/slide.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
@@ -30,19 +29,19 @@ namespace stylet {
 
 // All sizes of arrays, from the organ and the number of needles.
 struct Counts {
-  std::uint32_t voxels;
-  std::uint32_t planes;               // voxel planes; there is one more plane of particles
-  std::uint32_t rows;                 // stretches of voxels along x (runs.h)
-  std::uint32_t row_grid;             // blocks of places (y, z), 2^row_shift in each
-  std::uint32_t row_shift, row_bits;  // each block has at most 2^row_bits rows
-  std::uint32_t slots;                // padded voxels
-  std::uint32_t slots_at_once;        // slots whose sums are kept together
-  std::uint32_t particles;            // padded particles
-  std::uint32_t particles_per_plane;
-  std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
-  std::uint32_t sheets, ties;
-  std::uint32_t stiffening_slots;  // zero if no tissue stiffens
-  std::uint32_t needles;
+  std::uint32_t voxels;                       // of the organ file
+  std::uint32_t planes;                       // voxel planes; there is one more plane of particles
+  std::uint32_t rows;                         // stretches of voxels along x (runs.h)
+  std::uint32_t row_grid;                     // blocks of places (y, z), 2^row_shift in each
+  std::uint32_t row_shift, row_bits;          // each block has at most 2^row_bits rows
+  std::uint32_t slots;                        // padded voxels
+  std::uint32_t slots_at_once;                // slots whose sums are kept together
+  std::uint32_t particles;                    // padded particles
+  std::uint32_t particles_per_plane;          // of the fullest plane, padded
+  std::uint32_t windows[2];                   // of 8 and of 16 lanes, lattice/plan.h
+  std::uint32_t sheets, ties;                 // 1 and 0 without parts that share a cell
+  std::uint32_t stiffening_slots;             // zero if no tissue stiffens
+  std::uint32_t needles;                      // of the configuration
   std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
   std::uint32_t fluids;                       // needles, or zero if the hubs of all are closed
   // Parts that slide on each other: points and grounds; particles, and 1; zero if there are none.
@@ -86,138 +85,55 @@ struct Rules {
 };
 
 struct ModelHead {
-  Organ organ;      // a copy: only the file's bytes are the caller's
-  std::byte* team;  // see set_team; here, so that all copies of a Kernel know it
-  Config config;
-  Counts counts;
-  std::uint64_t organ_hash;
-  float edge_m, inverse_edge_per_m;
-  Vec3 origin_m;
-  std::uint16_t size_x, size_y, size_z, sheet_rows;
-  Rules rules;
-  float substep_s;
-  float hourglass_weight;
-  Filter filter;                     // not used with added mass
-  float velocity_keep;               // factor of the slip speed's low pass, per tick
-  float cone_length_m[kMaxNeedles];  // of the tips, cone.h
-  std::uint32_t obstacle_count;
-  std::uint32_t material_count;
-  MaterialModel material[kMaxMaterials];
-};
-
-// One voxel's support of a constraint particle.
-struct Support {
-  std::uint32_t slot, row;
-  float weight;   // supports of one particle add up to 1
-  Vec3 offset_m;  // rest offset from the voxel's centre
-  Vec3 goal_m;    // by the last match of the voxel, whose rotation is the next field
-  Quat turn;
-};
-
-struct Particle {                // a constraint particle
-  Vec3 rest_m;                   // place in the rest frame; chooses the voxels
-  Vec3 position_m;               // the needle's point that holds it
-  Vec3 memory_m, memory_n;       // Maxwell branch: displacement and force, both lagged
-  Vec3 give_m;                   // axial way of the tissue, in addition to its way across
-  Vec3 slack_m;                  // residual at which the spring carries nothing
-  Vec3 force_n;                  // on the tissue, from the last match
-  float track_m;                 // track coordinate: length from the entry
-  float arc_m;                   // arc length on the needle, from the tip
-  float stiffness_n_per_m;       // for the tributary length of now
-  float full_stiffness_n_per_m;  // for a whole unit
-  float tissue_compliance;       // of the lattice under the tip in contact, over the spring's
-  float relaxing_fraction;       // part of the whole force that relaxes
-  float memory_keep;             // part of the difference that is kept, per tick
-  float memory_spread;           // relaxed part of the supports' spread
-  float axial_fraction;          // axial compliance over that of spring and it together
-  float slip_m_per_s;            // low-passed
-  Friction friction;             // mean over the shaft length it carries, as the tip met it
-  float friction_length_m;       // the part of that length that has been sampled
-  Vec3 slip_m;                   // way of the needle past the tissue in this tick
-  std::uint32_t material;
-  std::uint32_t support_count;
-  Support support[kSupportsPerParticle];
-};
-
-constexpr std::uint32_t kNoTrack = 0xFFFFFFFFU;
-struct Track {
-  Vec3 entry_rest_m, direction_rest;
-  float length_m;
-};
-
-// What a needle's tip has met of membranes (coupling/membranes.h).
-struct MembraneState {
-  Vec3 clear_m;        // rest frame: no whole membrane lies between here and the tip
-  std::uint32_t held;  // material of the membrane that holds it, plus 1; 0: none
-  Vec3 held_at_m, held_normal;
-};
-// The holes that tips have made in membranes, a ring.
-struct MembraneHoles {
-  std::uint32_t count, next;
-  MembraneOpening opening[kMaxOpenings];
-};
-
-struct NeedleState {
-  Pose handle;
-  Vec3 base_m;  // of the handle, in the frame of the attachments
-  std::uint32_t handle_known;
-  Phase phase;
-  std::uint32_t layer;         // the material that the tip has entered last
-  std::uint32_t spring_layer;  // the material of its spring: `layer`, or one that holds it up
-  std::uint32_t shaft_count, shaft_max;
-  std::uint32_t tip_alive;
-  std::uint32_t leaving;  // the tip has left a track but not yet the surface around it
-  std::uint32_t track_current;
-  float layer_track_m;  // where the tip last changed layer
-  std::uint32_t layer_before;
-  float press_m_per_s;   // speed of the needle towards a surface that holds it, low-passed
-  float track_end_m;     // length of the current track
-  float drop_track_m;    // where the last shaft CP was added, or could not be: in a gap
-  float tissue_track_m;  // the tip's track coordinate when it was last in tissue
-  float twist_rad, twist_nm_per_rad;  // the hand's roll less the tip's, see roll.h
-  Vec3 moved_m;  // of the tissue at the contact, by other needles; zero if there are none
-  Vec3 cut;      // direction of the cut: that of the needle there, changed by a bevel
-  Vec3 last_force_n, last_torque_nm;
-  std::uint32_t touch_count, touch_max;
-};
-
-// A piece of needle that touches an obstacle.
-struct Touch {
-  std::uint32_t obstacle, rod;
-  ObstacleContact contact;
-  Vec3 at_m, force_n;  // on the needle, in the world
-  float arc_m;         // from the handle
-  Mat3 stiffness_n_per_m;
-  Vec3 normal;
-  float depth_m;
+  Organ organ;                       // a copy: only the file's bytes are the caller's
+  std::byte* team;                   // see set_team; here, so that all copies of a Kernel know it
+  Config config;                     // as create took it
+  Counts counts;                     // of all arrays
+  std::uint64_t organ_hash;          // of the file
+  float edge_m, inverse_edge_per_m;  // of a voxel
+  Vec3 origin_m;                     // low corner of the lattice, in the rest frame
+  std::uint16_t size_x, size_y, size_z, sheet_rows;  // in voxels; lines y of all sheets, of one
+  Rules rules;                                       // of Config::mode
+  float substep_s;                                   // length of a substep
+  float hourglass_weight;                            // chi
+  Filter filter;                                     // not used with added mass
+  float velocity_keep;                    // factor of the slip speed's low pass, per tick
+  float cone_length_m[kMaxNeedles];       // of the tips, cone.h
+  std::uint32_t obstacle_count;           // of obstacles that set_obstacles took
+  std::uint32_t material_count;           // of the organ file
+  MaterialModel material[kMaxMaterials];  // by the file's index
 };
 
 struct StateHead {
-  std::uint64_t tick;
-  std::uint32_t latched_fault;
-  std::uint32_t track_count, track_next;
-  float max_displacement_m;
-  float coupling_shortfall;
-  std::uint32_t event_count;
-  std::uint32_t coupled_max, track_max;
+  std::uint64_t tick;           // ticks since reset
+  std::uint32_t latched_fault;  // 1: stopped until reset
+  std::uint32_t track_count;    // tracks kept
+  std::uint32_t track_next;     // the one to overwrite next
+  float max_displacement_m;     // of any particle, along an axis; bounds the search for surfaces
+  float coupling_shortfall;     // the largest since reset, a fraction
+  std::uint32_t event_count;    // events since reset, those that the ring has lost included
+  std::uint32_t coupled_max;    // coupled voxels of one tick, the most since reset
+  std::uint32_t track_max;      // tracks kept, the most since reset
+  // What was refused, clamped, cut short or left out since reset, each with its flag.
   std::uint64_t input_not_finite, input_clamped, input_missing;
   std::uint64_t cp_pool_full, cp_voxel_pool_full, contact_budget, fault_count;
   std::uint64_t obstacle_pool_full, needle_unstable;
+  // Since reset: the hand's work and what was dissipated (PHYSICS 14.2).
   double work_by_hand_j, friction_j, cutting_j, relaxation_j, obstacles_j;
 };
 
 struct ScratchHead {
-  std::uint32_t coupled_count;
+  std::uint32_t coupled_count;     // coupled voxels of this tick
   std::uint32_t substeps_to_come;  // of this tick, after this one
-  std::uint32_t padding[14];
+  std::uint32_t padding[14];       // to a cache line; zero
 };
 
-// F(name, type, count); `c` is Counts. For the spring of a constraint particle, `stretch` is how
-// far this tick pulls it, and `place` is where its end is in this substep.
-// Only with true mass: the bounds on the stiffness of a voxel and of a particle (filter.h), `held`
-// (what constraint particles add to the bound of a particle in this tick), momentum over mass (w).
-// The model's last two only with sheets: the particle of each node, and which quarters of its cell
-// are a voxel's own (sub-samples, organ.fbs).
+// F(name, type, count); `c` is Counts; what is named last in a line writes the array. For the
+// spring of a constraint particle, `stretch` is how far this tick pulls it, and `place` is where
+// its end is in this substep. Only with true mass: the bounds on the stiffness of a voxel and of a
+// particle (laws/filter.h), `coupling_bound` (what constraint particles add to a particle's in this
+// tick), momentum over mass (w). The model's last two only with sheets: the particle of each node,
+// and which quarters of its cell are a voxel's own (sub-samples, organ.fbs).
 #define STYLET_MODEL_FIELDS(F)                                                           \
   /* head: configuration, counts, materials, what creation derived */                    \
   F(head, ModelHead, 1)                                                                  \
@@ -281,7 +197,7 @@ struct ScratchHead {
   F(representative, std::uint32_t, c.sheets > 1 ? c.particles : 0)                       \
   /* quarters: with sheets only: which quarters of its cell a voxel owns (organ.fbs) */  \
   F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)                                 \
-  /* slide_point: points of parts that slide on a ground (coupling/slides.h) */           \
+  /* slide_point: points of parts that slide on a ground (coupling/slides.h) */          \
   F(slide_point, SlidePoint, c.slide_points)                                             \
   /* ground: what they slide on */                                                       \
   F(ground, SlideGround, c.grounds)                                                      \
@@ -332,53 +248,53 @@ struct ScratchHead {
   F(membrane, MembraneState, c.membrane_needles)                                          \
   /* holes: those that tips have made in membranes; likewise */                           \
   F(holes, MembraneHoles, c.membranes)                                                    \
-  /* slide: where points of parts that slide are; written by coupling/slides */            \
+  /* slide: where points of parts that slide are; written by coupling/slides */           \
   F(slide, SlideState, c.slide_points)                                                    \
   /* slide_books: what their friction has taken; likewise */                              \
   F(slide_books, SlideBooks, c.slides)
 
-#define STYLET_SCRATCH_FIELDS(F)                                                      \
-  /* head: counts of this tick */                                                     \
-  F(head, ScratchHead, 1)                                                             \
-  /* before_sums: what windows read before the first sum and do not use */            \
-  F(before_sums, float, kLanes)                                                       \
-  /* sums: N: forces that voxels send to their corners, a chunk of slots */           \
-  F(sums, float, 12 * c.slots_at_once)                                                \
-  /* force: N: forces on two planes of particles */                                   \
-  F(force, float, 6 * c.particles_per_plane)                                          \
-  /* coupled: voxels that hold constraint particles in this tick */                   \
-  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)                              \
-  /* member: their particles' supports, lists by voxel */                             \
-  F(member, Member, kMaxMembers* c.needles)                                           \
-  /* stretch: m: how far this tick pulls each particle's spring */                    \
-  F(stretch, Vec3, kNeedleParticles* c.needles)                                       \
-  /* place: m: where that spring's end is in this substep */                          \
-  F(place, Vec3, kNeedleParticles* c.needles)                                         \
-  /* plane_first: first entry of each plane in plane_order */                         \
-  F(plane_first, std::uint32_t, c.planes + 2)                                         \
-  /* plane_order: coupled voxels by plane */                                          \
-  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)                         \
-  /* group: the same in lanes, and what their particles change for corners */         \
-  F(group, MatchGroup, kMaxCoupledVoxels / kLanes * c.needles)                        \
-  /* slot_mark: entry of a slot in `coupled`, if that points back */                  \
-  F(slot_mark, std::uint32_t, c.slots)                                                \
-  /* coupling_bound: N/m: what constraint particles add to `bound`, true mass only */ \
-  F(coupling_bound, float, c.filtered_particles)                                      \
-  /* filter: passes of the filter, true mass only (lattice/filter_passes.h) */        \
-  F(filter, float, c.filter_floats)                                                   \
-  /* loads: on the rods: forces of particles (needle/rod.h) */                        \
-  F(loads, RodLoads, 1)                                                               \
-  /* rod: the rods' equilibrium at work */                                            \
-  F(rod, RodScratch, 1)                                                               \
-  /* rod_result: the result of it */                                                  \
-  F(rod_result, RodResult, 1)                                                         \
-  /* touch: touches of this tick, before they are kept */                             \
-  F(touch, Touch, kMaxTouches)                                                        \
-  /* slide_contact: contacts of points in a substep (coupling/slides.h) */             \
-  F(slide_contact, SlideContact, c.slide_points)                                      \
-  /* slide_use: N/m: stiffness that they would add to a particle */                   \
-  F(slide_use, float, c.slid_particles)                                               \
-  /* slide_force: N: on particles, x, y and z; zero once they have moved */           \
+#define STYLET_SCRATCH_FIELDS(F)                                                               \
+  /* head: counts of this tick; written by tick and coupling/match */                          \
+  F(head, ScratchHead, 1)                                                                      \
+  /* before_sums: what windows read before the first sum and do not use; nobody writes it */   \
+  F(before_sums, float, kLanes)                                                                \
+  /* sums: N: forces that voxels send to their corners, a chunk of slots; lattice step */      \
+  F(sums, float, 12 * c.slots_at_once)                                                         \
+  /* force: N: forces on two planes of particles; written by the lattice step */               \
+  F(force, float, 6 * c.particles_per_plane)                                                   \
+  /* coupled: voxels that hold constraint particles in this tick; coupling/match */            \
+  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)                                       \
+  /* member: their particles' supports, lists by voxel; coupling/match */                      \
+  F(member, Member, kMaxMembers* c.needles)                                                    \
+  /* stretch: m: how far this tick pulls each particle's spring; tick and coupling/ */         \
+  F(stretch, Vec3, kNeedleParticles* c.needles)                                                \
+  /* place: m: where that spring's end is in this substep; lattice/matches */                  \
+  F(place, Vec3, kNeedleParticles* c.needles)                                                  \
+  /* plane_first: first entry of each plane in plane_order; coupling/match */                  \
+  F(plane_first, std::uint32_t, c.planes + 2)                                                  \
+  /* plane_order: coupled voxels by plane; coupling/match */                                   \
+  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)                                  \
+  /* group: the same in lanes (coupling/match); changes for corners (lattice/match_lanes) */   \
+  F(group, MatchGroup, kMaxCoupledVoxels / kLanes * c.needles)                                 \
+  /* slot_mark: entry of a slot in `coupled`, if that points back; coupling/match */           \
+  F(slot_mark, std::uint32_t, c.slots)                                                         \
+  /* coupling_bound: N/m: what constraint particles add to `bound`; coupling/match */          \
+  F(coupling_bound, float, c.filtered_particles)                                               \
+  /* filter: passes of the filter, true mass only; lattice/filter_passes */                    \
+  F(filter, float, c.filter_floats)                                                            \
+  /* loads: on the rods: forces of particles (needle/rod.h); coupling/bend */                  \
+  F(loads, RodLoads, 1)                                                                        \
+  /* rod: the rods' equilibrium at work; needle/rod */                                         \
+  F(rod, RodScratch, 1)                                                                        \
+  /* rod_result: the result of it; needle/rod */                                               \
+  F(rod_result, RodResult, 1)                                                                  \
+  /* touch: touches of this tick, before they are kept; coupling/touches */                    \
+  F(touch, Touch, kMaxTouches)                                                                 \
+  /* slide_contact: contacts of points in a substep; coupling/slides */                        \
+  F(slide_contact, SlideContact, c.slide_points)                                               \
+  /* slide_use: N/m: stiffness that they would add to a particle; coupling/slides */           \
+  F(slide_use, float, c.slid_particles)                                                        \
+  /* slide_force: N: on particles, x, y and z; coupling/slides adds, the lattice step takes */ \
   F(slide_force, float, 3 * c.slid_particles)
 
 // An array of a block, constant where its owner is: a `const State&` can be read, not written.
@@ -417,15 +333,15 @@ class Field {
 #define STYLET_FIELD(name, type, count) Field<type> name;
 struct Model {
   STYLET_MODEL_FIELDS(STYLET_FIELD)
-  std::uint32_t needle_index;
+  std::uint32_t needle_index;  // the needle whose fields it shows
 
   const Organ& organ() const { return head->organ; }
   const NeedleConfig& needle_config() const { return head->config.needle[needle_index]; }
 };
 struct State {
   STYLET_STATE_FIELDS(STYLET_FIELD)
-  Field<Particle> tip;  // the needle's last particle
-  std::uint32_t needle_index;
+  Field<Particle> tip;         // the needle's last particle
+  std::uint32_t needle_index;  // the needle whose fields it shows
 };
 struct Scratch {
   STYLET_SCRATCH_FIELDS(STYLET_FIELD)
@@ -440,8 +356,8 @@ Model model_of(std::byte* block, const Counts& counts);
 State state_of(std::byte* block, const Counts& counts);
 Scratch scratch_of(std::byte* block, const Counts& counts);
 
-// All three blocks of a kernel.
 struct View {
+  // All three blocks of a kernel.
   Model model;
   State state;
   Scratch scratch;

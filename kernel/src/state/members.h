@@ -13,7 +13,8 @@ namespace stylet {
 
 // A voxel coupled to the needle in this tick.
 struct CoupledVoxel {
-  std::uint32_t slot, row, first_member, last_member, member_count;
+  std::uint32_t slot, row;                                // where it is
+  std::uint32_t first_member, last_member, member_count;  // its list
 };
 // Up to kLanes of them in the order of plane_order: where they are, and how their constraint
 // particles change their corners.
@@ -22,18 +23,19 @@ struct MatchGroup {
     std::uint32_t node[2][kLanes];    // particle at the voxel's (x, y + dy)
     float change_n[2][3][kLanes][2];  // at dx = 0 and 1 of that row
   };
-  Side side[2];
+  Side side[2];                // low, high
   std::uint32_t count;         // voxels
   std::uint32_t most_members;  // most supports of constraint particles in one of them
+  // Of each voxel: its list and its slot.
   std::uint32_t first_member[kLanes], member_count[kLanes];
   std::uint32_t slot[kLanes];
   float cell[3][kLanes];  // centre at rest, in edges from the lattice's origin
   float k[kLanes];        // stiffness of a corner
 };
 static_assert(kMaxCoupledVoxels % kLanes == 0);
-struct Member {  // in a coupled voxel: a particle's support; a needle's last particle is its tip
-  std::uint16_t particle, support;
-  std::uint32_t next;  // the next member of the same voxel
+struct Member {                     // in a coupled voxel: a particle's support
+  std::uint16_t particle, support;  // indices; a needle's last particle is its tip
+  std::uint32_t next;               // the next member of the same voxel
 };
 constexpr std::uint32_t kNeedleParticles = kMaxConstraintParticles + 1;
 constexpr std::uint32_t kMaxMembers = kNeedleParticles * kSupportsPerParticle;

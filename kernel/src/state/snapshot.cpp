@@ -155,7 +155,7 @@ bool sound_shares(const Limits& is, const Particle& p) {
 // Of the shaft; the last one is the tip.
 bool sound(const Limits& is, const Particle& p, std::size_t) {
   return is.number(p.rest_m) && is.number(p.position_m) && is.number(p.memory_m) &&
-         is.number(p.memory_n) && is.number(p.give_m) && is.number(p.slack_m) &&
+         is.number(p.memory_n) && is.number(p.axial_way_m) && is.number(p.slack_m) &&
          is.number(p.force_n) && is.number(p.track_m) && is.number(p.arc_m) &&
          is.no_less(p.stiffness_n_per_m, 0) && is.no_less(p.full_stiffness_n_per_m, 0) &&
          is.no_less(p.tissue_compliance, 0) && is.part(p.relaxing_fraction) &&
@@ -169,7 +169,7 @@ bool sound(const Limits& is, const RodShape& shape, std::size_t needle) {
     const Vec3d t = shape.direction[j];
     if (!is.number(t) || (j < is.model.rod[needle].rods && !is.one(dot(t, t)))) return false;
   }
-  return is.part(shape.compression_share) && is.part(shape.step_share);
+  return is.part(shape.compression_fraction) && is.part(shape.step_length);
 }
 
 bool sound(const Limits& is, const ObstacleContact& c) {

@@ -16,8 +16,10 @@
 namespace stylet {
 
 struct SnapshotHeader {
-  std::uint64_t magic, layout, organ_hash, config_hash, state_bytes;
-  std::uint64_t checksum;  // of the state's bytes
+  std::uint64_t magic;                    // says that it is a snapshot, and of which format
+  std::uint64_t layout;                   // hash of the table of fields
+  std::uint64_t organ_hash, config_hash;  // of the kernel that it is of
+  std::uint64_t state_bytes, checksum;    // size of the state behind it, and a hash of its bytes
 };
 
 // The header of a snapshot of this kernel whose state has these bytes.

@@ -246,7 +246,7 @@ TEST(V25AbuseState, InfiniteSumsAreAFault) {
       const auto any = [&random] { return random() % 2 == 0 ? kLargest : -kLargest; };
       p.memory_m = {any(), any(), any()};
       p.slack_m = {any(), any(), any()};
-      p.give_m = {any(), any(), any()};
+      p.axial_way_m = {any(), any(), any()};
     }
     Output out = {};
     for (int i = 0; i < 3; ++i) {

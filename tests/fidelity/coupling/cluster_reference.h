@@ -97,7 +97,7 @@ class ClusterReference {
       const double m = static_cast<double>(p.relaxing_fraction);
       sum += 0.5 * m * (1 - m) * std::max(0.0, static_cast<double>(dot(p.memory_n, p.memory_m)));
       const double give = static_cast<double>(p.axial_fraction);
-      if (give > 0) sum += 0.5 * s * (1 / give - 1) * std::pow(norm_of(p.give_m), 2);
+      if (give > 0) sum += 0.5 * s * (1 / give - 1) * std::pow(norm_of(p.axial_way_m), 2);
     });
     return sum + cone_energy(view);
   }

@@ -207,16 +207,16 @@ TEST(Relaxation, WhatFadesEndsAtZero) {
   }
   View view = needle_view(rig.view(), 0);
   ASSERT_GT(view.state.needle->shaft_count, 2U);
-  ASSERT_NE(view.state.shaft[1].give_m.y, 0.0F);
+  ASSERT_NE(view.state.shaft[1].axial_way_m.y, 0.0F);
   for (int i = 0; i < 1000; ++i) {
     move_tip(rig, end);
-    for (const Vec3 v :
-         {view.state.shaft[1].give_m, view.state.shaft[1].memory_m, view.state.shaft[1].memory_n,
-          view.state.shaft[1].slack_m, view.state.tip->memory_m, view.state.tip->memory_n}) {
+    for (const Vec3 v : {view.state.shaft[1].axial_way_m, view.state.shaft[1].memory_m,
+                         view.state.shaft[1].memory_n, view.state.shaft[1].slack_m,
+                         view.state.tip->memory_m, view.state.tip->memory_n}) {
       for (const float part : {v.x, v.y, v.z}) ASSERT_NE(std::fpclassify(part), FP_SUBNORMAL);
     }
   }
-  EXPECT_LT(std::fabs(view.state.shaft[1].give_m.y), 1e-11F);
+  EXPECT_LT(std::fabs(view.state.shaft[1].axial_way_m.y), 1e-11F);
 }
 
 // A shaft is pulled along by 20 um and held. Returns which fraction of the remaining way a tick
@@ -237,13 +237,13 @@ double left_in_a_tick(float period_s) {
   for (int i = 0; i < 200; ++i) move_tip(rig, tip_m);
   const View view = needle_view(rig.view(), 0);
   EXPECT_GT(view.state.needle->shaft_count, 2U);
-  const auto give_m = [&] { return static_cast<double>(view.state.shaft[1].give_m.x); };
-  const double before_m = give_m();
+  const auto axial_way_m = [&] { return static_cast<double>(view.state.shaft[1].axial_way_m.x); };
+  const double before_m = axial_way_m();
   tip_m.x += 2e-5F;
   std::vector<double> gone_m;
   for (int i = 0; i < 200; ++i) {
     move_tip(rig, tip_m);
-    gone_m.push_back(give_m() - before_m);
+    gone_m.push_back(axial_way_m() - before_m);
   }
   EXPECT_GT(gone_m.back(), 1e-6) << period_s;
   const auto missing = [&](std::size_t i) { return 1 - gone_m[i] / gone_m.back(); };

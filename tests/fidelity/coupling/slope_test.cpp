@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "hal/score/phases.h"
+#include "hal/score/stages.h"
 #include "rig.h"
 
 namespace stylet::test {
@@ -19,7 +19,7 @@ struct Scene {
 
 // Stages in and out that are deep enough: not where tissue springs back onto the tip that has left
 // it.
-std::vector<hal::PhaseRow> strokes_of(const Scene& s) {
+std::vector<hal::StageRow> strokes_of(const Scene& s) {
   TinyOrgan tiny;
   tiny.voxel_edge_m = s.edge_m;
   const auto voxels = [&](float length_m) {
@@ -42,8 +42,8 @@ std::vector<hal::PhaseRow> strokes_of(const Scene& s) {
   drive(rig, {-2e-3F, s.y_m, s.z_m}, 0.06F, s.speed_m_per_s, see);
   drive(rig, {0.06F, s.y_m, s.z_m}, 0.06F + 1e-6F, 2e-6F, see);
   drive(rig, {0.06F, s.y_m, s.z_m}, 0, s.speed_m_per_s, see);
-  std::vector<hal::PhaseRow> strokes;
-  for (const hal::PhaseRow& row : hal::find_phases(track, 1e-3, 5e-3F)) {
+  std::vector<hal::StageRow> strokes;
+  for (const hal::StageRow& row : hal::find_stages(track, 1e-3, 5e-3F)) {
     const bool moves = row.stage == hal::Stage::kInsertion || row.stage == hal::Stage::kRetraction;
     if (moves && row.depth_m >= 10e-3F) strokes.push_back(row);
   }
@@ -51,7 +51,7 @@ std::vector<hal::PhaseRow> strokes_of(const Scene& s) {
 }
 
 // The slope over the friction: 1 on the way in, -1 on the way out.
-void expect_friction(const Scene& s, const hal::PhaseRow& row, double tolerance) {
+void expect_friction(const Scene& s, const hal::StageRow& row, double tolerance) {
   const auto friction = static_cast<double>(s.friction_n_per_m) * 1e-3;
   EXPECT_NEAR(static_cast<double>(row.slope_n_per_mm) / friction,
               row.stage == hal::Stage::kInsertion ? 1 : -1, tolerance)
@@ -80,7 +80,7 @@ TEST(Slope, IsTheFrictionOfTheMaterialOnceTheShaftSlides) {
     s.y_m = draw.between(0.025, 0.035);
     s.z_m = draw.between(0.025, 0.035);
     s.speed_m_per_s = draw.between(5e-3, 20e-3);
-    for (const hal::PhaseRow& row : strokes_of(s)) {
+    for (const hal::StageRow& row : strokes_of(s)) {
       ++rows;
       if (std::isnan(row.slope_n_per_mm)) {
         ++none;
@@ -109,7 +109,7 @@ TEST(Slope, IsThatOfSoftTissueToo) {
     s.y_m = draw.between(0.025, 0.035);
     s.z_m = draw.between(0.025, 0.035);
     s.speed_m_per_s = draw.between(5e-3, 20e-3);
-    for (const hal::PhaseRow& row : strokes_of(s)) {
+    for (const hal::StageRow& row : strokes_of(s)) {
       if (std::isnan(row.slope_n_per_mm) || row.presliding_m > 0.025F) continue;
       ++slid;
       expect_friction(s, row, 0.01);

@@ -97,7 +97,8 @@ TEST_P(Strained, RestPlaceOfTheTipIsThatOfTheMaterialItHolds) {
   for (int i = 0; i < 3; ++i) EXPECT_LT(worst_m[i], i == axis ? most_m : 8e-6) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(AlongXAndY, Strained, testing::Values(0, 1));
+INSTANTIATE_TEST_SUITE_P(Along, Strained, testing::Values(0, 1),
+                         [](const auto& axis) { return axis.param == 0 ? "X" : "Y"; });
 
 }  // namespace
 }  // namespace stylet::test

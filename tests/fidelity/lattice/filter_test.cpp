@@ -134,7 +134,7 @@ double chebyshev_slope(int n, double x) {
 }
 
 // Largest x p(x) over s, where T_n is -1.
-double share_left(int passes, double damping) {
+double fraction_left(int passes, double damping) {
   const int n = passes + 1;
   const double w0 = 1 + damping / (n * n);
   return (1 + chebyshev(n, w0)) / ((1 + w0) * chebyshev_slope(n, w0));
@@ -143,7 +143,7 @@ double share_left(int passes, double damping) {
 double damping_for(int passes, double share) {
   double damping = 1;
   for (double step = 1; step > 1e-9; step /= 2) {
-    if (damping + step <= 2 && share_left(passes, damping + step) <= share) damping += step;
+    if (damping + step <= 2 && fraction_left(passes, damping + step) <= share) damping += step;
   }
   return damping;
 }

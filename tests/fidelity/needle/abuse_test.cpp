@@ -167,7 +167,7 @@ TEST(Abuse, CarefulStepsUnderManyTimesTheBucklingLoadFindTheElastica) {
     for (const double share : {0.5, 0.25}) {
       const auto n = needle(50, length_m, bending_nm2);
       n->push(length_m, {1e-4 * load_n, 0, load_n});
-      n->shape.compression_share = share;
+      n->shape.compression_fraction = share;
       RodFaces none{};
       carry_rod(n->model, n->handle.wxyz, n->shape, n->scratch, n->result);
       bool rests = false;

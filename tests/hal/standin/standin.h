@@ -51,10 +51,10 @@ struct StandIn {
 
 // Moves the mass for `seconds` under the motors' force, the weight that gravity compensation
 // leaves, and the hand's damping. `metre`: in the vendor's unit; `up`: the vendor's vertical axis.
-inline void move_hand(StandIn& unit, double seconds, double metre, int up, double weight_share) {
+inline void move_hand(StandIn& unit, double seconds, double metre, int up, double weight_fraction) {
   const double mass = unit.hand_kg.load();
   for (int i = 0; mass > 0 && i < 3; ++i) {
-    const double weight = i == up ? -9.81 * weight_share * mass : 0;
+    const double weight = i == up ? -9.81 * weight_fraction * mass : 0;
     unit.velocity[i] =
         unit.velocity[i] + (unit.force[i] + weight - 5 * unit.velocity[i]) / mass * seconds;
     unit.position[i] = unit.position[i] + metre * unit.velocity[i] * seconds;

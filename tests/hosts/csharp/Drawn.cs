@@ -53,7 +53,8 @@ public sealed class Drawn {
     }
     if (type == typeof(bool)) return random.Next(2) == 0;
     if (type == typeof(byte)) return (byte)random.Next(256);
-    if (type == typeof(int)) return new[] { 0, 1, -1, 7, int.MaxValue, int.MinValue }[random.Next(6)];
+    if (type == typeof(int))
+      return new[] { 0, 1, -1, 7, int.MaxValue, int.MinValue }[random.Next(6)];
     if (type == typeof(uint)) return new[] { 0U, 1U, 99U, uint.MaxValue }[random.Next(4)];
     if (type == typeof(float)) return Odd();
     if (type == typeof(double)) return (double)Odd();

@@ -384,7 +384,8 @@ static void run_live(const char* organ, const char* uri) {
   }
   stylet_loop* const loop = loop_of(&s, &device, 500, 0);
   must(stylet_loop_start(loop), NULL);
-  uint32_t answered = 0; /* in any look: on a busy machine a single tick may come before its sample */
+  /* In any look: on a busy machine a single tick may come before its sample. */
+  uint32_t answered = 0;
   stylet_loop_report report = {.struct_bytes = sizeof report, .runs = 1};
   for (const struct timespec look = {0, 5000000}; report.runs != 0; nanosleep(&look, NULL)) {
     stylet_hand_report felt = {.struct_bytes = sizeof felt};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves are made by formulas, so that every number of a phase is known.
-#include "hal/score/phases.h"
+#include "hal/score/stages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,14 +51,14 @@ std::vector<TrackPoint> curve(int begin = 0, int end = kEnd) {
   return track;
 }
 
-std::vector<Stage> stages(const std::vector<PhaseRow>& rows) {
+std::vector<Stage> stages(const std::vector<StageRow>& rows) {
   std::vector<Stage> list;
-  for (const PhaseRow& row : rows) list.push_back(row.stage);
+  for (const StageRow& row : rows) list.push_back(row.stage);
   return list;
 }
 
 TEST(Phases, AllSevenInOrderWithoutGaps) {
-  const auto rows = find_phases(curve(), kPeriodS, kUnitM);
+  const auto rows = find_stages(curve(), kPeriodS, kUnitM);
   ASSERT_THAT(stages(rows), testing::ElementsAre(Stage::kApproach, Stage::kContact,
                                                  Stage::kPuncture, Stage::kInsertion, Stage::kHold,
                                                  Stage::kRetraction, Stage::kExit));
@@ -68,7 +68,7 @@ TEST(Phases, AllSevenInOrderWithoutGaps) {
 }
 
 TEST(Phases, BoundariesAreWhereTheCurveChanges) {
-  const auto rows = find_phases(curve(), kPeriodS, kUnitM);
+  const auto rows = find_stages(curve(), kPeriodS, kUnitM);
   ASSERT_EQ(rows.size(), 7U);
   const auto start = [&rows](int i) {
     return static_cast<double>(rows[static_cast<std::size_t>(i)].start_tick) - 1;
@@ -82,9 +82,9 @@ TEST(Phases, BoundariesAreWhereTheCurveChanges) {
 }
 
 TEST(Phases, NumbersAreThoseOfTheFormula) {
-  const auto rows = find_phases(curve(), kPeriodS, kUnitM);
+  const auto rows = find_stages(curve(), kPeriodS, kUnitM);
   ASSERT_EQ(rows.size(), 7U);
-  const PhaseRow &contact = rows[1], &puncture = rows[2], &insertion = rows[3], &hold = rows[4],
+  const StageRow &contact = rows[1], &puncture = rows[2], &insertion = rows[3], &hold = rows[4],
                  &retraction = rows[5];
   EXPECT_NEAR(static_cast<double>(contact.peak_force_n), 0.8, 0.002);
   EXPECT_NEAR(static_cast<double>(contact.mean_force_n), 0.4, 0.002);
@@ -108,14 +108,14 @@ TEST(Phases, SlopeIsThatOfTheSteadyPart) {
     const double tick = static_cast<double>(p.tick) - 1;
     if (tick < kLowest) continue;
     const double slowing = std::max(0.0, tick - kSlow) / kTicksToSlow;
-    const double share_of_speed = std::exp(-slowing);
+    const double fraction_of_speed = std::exp(-slowing);
     const double travel_mm =
-        (std::min(tick, kSlow) - kContact + kTicksToSlow * (1 - share_of_speed)) * 0.01;
+        (std::min(tick, kSlow) - kContact + kTicksToSlow * (1 - fraction_of_speed)) * 0.01;
     const double recoil = 0.2 * std::exp(-(tick - kLowest) / 100);
     p.travel_m = p.depth_m = static_cast<float>(travel_mm * 1e-3);
-    p.axial_n = static_cast<float>(0.2 + recoil + (0.007 + 0.003 * share_of_speed) * travel_mm);
+    p.axial_n = static_cast<float>(0.2 + recoil + (0.007 + 0.003 * fraction_of_speed) * travel_mm);
   }
-  const auto rows = find_phases(track, kPeriodS, kUnitM);
+  const auto rows = find_stages(track, kPeriodS, kUnitM);
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[3].stage, Stage::kInsertion);
   EXPECT_NEAR(static_cast<double>(rows[3].slope_n_per_mm), 0.01, 1e-4);
@@ -128,7 +128,7 @@ TEST(Phases, AQuickInsertionHasASlope) {
     track.back().travel_m = track.back().depth_m = static_cast<float>(tick - kLowest) * 4e-4F;
     track.back().axial_n = track.back().depth_m * 10;
   }
-  const auto rows = find_phases(track, kPeriodS, kUnitM);
+  const auto rows = find_stages(track, kPeriodS, kUnitM);
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_NEAR(static_cast<double>(rows[0].slope_n_per_mm), 0.01, 1e-5);
 }
@@ -144,7 +144,7 @@ TEST(Phases, HoldEndsWhereTheHandTurns) {
                                : static_cast<float>(0.0585 * (1 - (since_s - 0.7) / 5.3));
     p.axial_n = static_cast<float>(0.6 - 1.2 * share);
   }
-  const auto rows = find_phases(track, kPeriodS, kUnitM);
+  const auto rows = find_stages(track, kPeriodS, kUnitM);
   ASSERT_EQ(rows[4].stage, Stage::kHold);
   EXPECT_EQ(rows[5].stage, Stage::kRetraction);
   // The hold ends when the tip has crept by 0.7 um: the window at 0.03 mm/s.
@@ -157,28 +157,28 @@ TEST(Phases, ShortPausesAreNoHold) {
   for (int i = 4000; i < 4060; ++i) {
     track[static_cast<std::size_t>(i)].travel_m = track[4000].travel_m;
   }
-  EXPECT_EQ(find_phases(track, kPeriodS, kUnitM).size(), 7U);
+  EXPECT_EQ(find_stages(track, kPeriodS, kUnitM).size(), 7U);
 }
 
 TEST(Phases, AfterContactIsLostItIsApproachAgain) {
   std::vector<TrackPoint> track = curve(900, 1700);
   for (std::size_t i = 600; i < track.size(); ++i) track[i].phase = Phase::kFree;
-  EXPECT_THAT(stages(find_phases(track, kPeriodS, kUnitM)),
+  EXPECT_THAT(stages(find_stages(track, kPeriodS, kUnitM)),
               testing::ElementsAre(Stage::kApproach, Stage::kContact, Stage::kApproach));
 }
 
 TEST(Phases, GrazingTheSurfaceOnTheWayOutIsExit) {
   std::vector<TrackPoint> track = curve();
   for (std::size_t i = kOut + 4; i < kOut + 40; ++i) track[i].phase = Phase::kContact;
-  EXPECT_EQ(find_phases(track, kPeriodS, kUnitM).size(), 7U);
+  EXPECT_EQ(find_stages(track, kPeriodS, kUnitM).size(), 7U);
 }
 
 TEST(Phases, AnyPieceOfACurveIsAccepted) {
-  EXPECT_TRUE(find_phases({}, kPeriodS, kUnitM).empty());
+  EXPECT_TRUE(find_stages({}, kPeriodS, kUnitM).empty());
   for (int begin = 0; begin < kEnd; begin += 613) {
     for (const int length : {1, 2, 30, 700}) {
       const auto track = curve(begin, std::min(begin + length, kEnd));
-      const auto rows = find_phases(track, kPeriodS, kUnitM);
+      const auto rows = find_stages(track, kPeriodS, kUnitM);
       ASSERT_FALSE(rows.empty());
       EXPECT_EQ(rows.front().start_tick, track.front().tick);
       EXPECT_EQ(rows.back().end_tick, track.back().tick + 1);
@@ -199,23 +199,23 @@ TEST(TrackPoint, ResistanceIsPositiveAndTravelCountsFromTheEntry) {
 
 // ---- how much a force has fallen
 
-PhaseRow from_to(float start_n, float end_n) {
-  PhaseRow row = {};
+StageRow from_to(float start_n, float end_n) {
+  StageRow row = {};
   row.start_force_n = start_n;
   row.end_force_n = end_n;
   return row;
 }
 
 TEST(Phases, OnlyAForceThatFallsHasAFraction) {
-  EXPECT_NEAR(fallen_share(from_to(0.8F, 0.6F)).value_or(-1), 0.25, 1e-6);
-  EXPECT_NEAR(fallen_share(from_to(-2, -0.5F)).value_or(-1), 0.75, 1e-6);
-  EXPECT_EQ(fallen_share(from_to(1, 0)), 1);
-  EXPECT_EQ(fallen_share(from_to(1, 1)), 0);
-  EXPECT_EQ(fallen_share(from_to(0.2F, 2.886F)), std::nullopt);  // no relaxation of -1343 %
-  EXPECT_EQ(fallen_share(from_to(1, -0.1F)), std::nullopt);
-  EXPECT_EQ(fallen_share(from_to(0.001F, 0.0005F)), std::nullopt);
-  EXPECT_EQ(fallen_share(from_to(NAN, 1)), std::nullopt);
-  EXPECT_EQ(fallen_share(from_to(1, NAN)), std::nullopt);
+  EXPECT_NEAR(fallen_fraction(from_to(0.8F, 0.6F)).value_or(-1), 0.25, 1e-6);
+  EXPECT_NEAR(fallen_fraction(from_to(-2, -0.5F)).value_or(-1), 0.75, 1e-6);
+  EXPECT_EQ(fallen_fraction(from_to(1, 0)), 1);
+  EXPECT_EQ(fallen_fraction(from_to(1, 1)), 0);
+  EXPECT_EQ(fallen_fraction(from_to(0.2F, 2.886F)), std::nullopt);  // no relaxation of -1343 %
+  EXPECT_EQ(fallen_fraction(from_to(1, -0.1F)), std::nullopt);
+  EXPECT_EQ(fallen_fraction(from_to(0.001F, 0.0005F)), std::nullopt);
+  EXPECT_EQ(fallen_fraction(from_to(NAN, 1)), std::nullopt);
+  EXPECT_EQ(fallen_fraction(from_to(1, NAN)), std::nullopt);
 }
 
 // Recordings of hands that do anything have rows without gaps, and no fraction outside 0 to 1.
@@ -242,10 +242,10 @@ TEST(Phases, RandomRecordingsHaveWholeRowsAndFractionsWithinTheirBounds) {
       }
     }
     std::uint64_t next = 1;
-    for (const PhaseRow& row : find_phases(track, kPeriodS, kUnitM)) {
+    for (const StageRow& row : find_stages(track, kPeriodS, kUnitM)) {
       EXPECT_EQ(row.start_tick, next);
       next = row.end_tick;
-      const std::optional<double> share = fallen_share(row);
+      const std::optional<double> share = fallen_fraction(row);
       if (!share) continue;
       ++shares;
       EXPECT_GE(*share, 0);

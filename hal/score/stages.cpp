@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hal/score/phases.h"
+#include "hal/score/stages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,22 +11,22 @@ namespace stylet::hal {
 namespace {
 
 constexpr double kSpeedWindowS = 0.025;    // over which the tip's speed is averaged
-constexpr double kSlowShare = 0.1;         // of the fastest: below it the hand has stopped
-constexpr double kRestingShare = 0.03;     // of the fastest: below it the hand has not started
-constexpr double kCreepShare = 0.003;      // of the fastest: below it the hand does not move
+constexpr double kSlowFraction = 0.1;      // of the fastest: below it the hand has stopped
+constexpr double kRestingFraction = 0.03;  // of the fastest: below it the hand has not started
+constexpr double kCreepFraction = 0.003;   // of the fastest: below it the hand does not move
 constexpr double kPunctureWindowS = 0.05;  // in which the force falls after the puncture
 constexpr double kShortestStageS = 0.1;    // of stages told apart by speed
 constexpr double kSlopeRangeM = 1e-3;      // a smaller change of depth gives no slope
-constexpr double kSteadyShare = 0.9;       // of the median speed: above it the tip keeps its pace
+constexpr double kSteadyFraction = 0.9;    // of the median speed: above it the tip keeps its pace
 constexpr double kSettleS = 0.3;           // in which the tissue takes up a new pace
 // For a sliding shaft: the tip's motion through the tissue over its own motion, taken over this
 // length, which is a voxel or more because depth is uneven within one. In soft tissue a change of
 // direction carries tissue along for many mm, because the shaft begins to slide part after part.
 constexpr float kSlideWindowM = 5e-3F;
-constexpr double kSlideShare = 0.9;   // of what the stage reaches
-constexpr double kLeastSlide = 0.75;  // below it nothing slides: tissue is still carried along
-constexpr double kMostSlide = 1.5;    // above it tissue comes back, as after a puncture
-constexpr double kFeltN = 0.02;       // less is not felt (GUARD.md), nor is a fraction of it
+constexpr double kSlideFraction = 0.9;  // of what the stage reaches
+constexpr double kLeastSlide = 0.75;    // below it nothing slides: tissue is still carried along
+constexpr double kMostSlide = 1.5;      // above it tissue comes back, as after a puncture
+constexpr double kFeltN = 0.02;         // less is not felt (GUARD.md), nor is a fraction of it
 
 bool inside(Phase phase) {
   return phase == Phase::kInserted || phase == Phase::kRetracting;
@@ -67,8 +67,8 @@ Stage stage_inside(const Motion& motion, std::size_t i) {
   const std::size_t high = std::min(i + motion.window, motion.track.size() - 1);
   const double before = speed(motion.track, low, i, motion.period_s);
   const double after = speed(motion.track, i, high, motion.period_s);
-  const bool slow = high > i && std::fabs(after) <= kSlowShare * motion.fastest_m_per_s;
-  const bool resting = i > low && std::fabs(before) <= kRestingShare * motion.fastest_m_per_s;
+  const bool slow = high > i && std::fabs(after) <= kSlowFraction * motion.fastest_m_per_s;
+  const bool resting = i > low && std::fabs(before) <= kRestingFraction * motion.fastest_m_per_s;
   if (slow || resting) return Stage::kHold;
   return (high > i ? after : before) > 0 ? Stage::kInsertion : Stage::kRetraction;
 }
@@ -125,7 +125,7 @@ void end_holds_at_the_turn(std::span<const TrackPoint> track, double period_s,
     const double way = stages[end] == Stage::kInsertion ? 1 : -1;
     for (std::size_t i = end; i-- > begin;) {
       const double pace = way * speed(track, i - motion.window, i, period_s);
-      if (pace <= kCreepShare * motion.fastest_m_per_s) break;
+      if (pace <= kCreepFraction * motion.fastest_m_per_s) break;
       stages[i] = stages[end];
     }
   }
@@ -160,7 +160,7 @@ std::span<const TrackPoint> steady_part(std::span<const TrackPoint> part, double
   std::vector<double> sorted = pace;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
-  const auto keeps = [least = kSteadyShare * *middle](double v) { return v >= least; };
+  const auto keeps = [least = kSteadyFraction * *middle](double v) { return v >= least; };
   const auto first = std::find_if(pace.begin(), pace.end(), keeps);
   const auto last = std::find_if(pace.rbegin(), pace.rend(), keeps).base();
   const auto length = static_cast<std::size_t>(last - first);
@@ -188,7 +188,7 @@ std::size_t sliding_from(std::span<const TrackPoint> part) {
   if (windows.empty()) return 0;
   const auto high = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() * 9 / 10);
   std::nth_element(shares.begin(), high, shares.end());
-  const double least = std::max(kLeastSlide, kSlideShare * std::min(1.0, *high));
+  const double least = std::max(kLeastSlide, kSlideFraction * std::min(1.0, *high));
   const auto slides = [least](double share) { return share >= least && share <= kMostSlide; };
   std::size_t from = 0;
   for (const Window& each : windows) {
@@ -221,8 +221,8 @@ float slope(std::span<const TrackPoint> part, float skip_below_m) {
   return static_cast<float>(xy / xx);
 }
 
-PhaseRow row_of(Stage stage, std::span<const TrackPoint> part, double period_s, float unit_m) {
-  PhaseRow row{};
+StageRow row_of(Stage stage, std::span<const TrackPoint> part, double period_s, float unit_m) {
+  StageRow row{};
   row.stage = stage;
   row.start_tick = part.front().tick;
   row.end_tick = part.back().tick + 1;
@@ -275,7 +275,7 @@ TrackPoint track_point(const TickRecord& record, const Course& course) {
           out.phase};
 }
 
-std::optional<double> fallen_share(const PhaseRow& row) {
+std::optional<double> fallen_fraction(const StageRow& row) {
   const auto start = static_cast<double>(row.start_force_n);
   const auto end = static_cast<double>(row.end_force_n);
   if (!(std::fabs(start) >= kFeltN)) return std::nullopt;
@@ -284,12 +284,12 @@ std::optional<double> fallen_share(const PhaseRow& row) {
   return 1 - left;
 }
 
-std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double period_s,
+std::vector<StageRow> find_stages(std::span<const TrackPoint> track, double period_s,
                                   float unit_m) {
   std::vector<Stage> stages = classify(track, period_s);
   merge_short(stages, period_s);
   end_holds_at_the_turn(track, period_s, stages);
-  std::vector<PhaseRow> rows;
+  std::vector<StageRow> rows;
   for (std::size_t begin = 0; begin < track.size();) {
     std::size_t end = begin;
     while (end < track.size() && stages[end] == stages[begin]) ++end;

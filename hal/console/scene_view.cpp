@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hal/console/stage.h"
+#include "hal/console/scene_view.h"
 
 #include <limits>
 

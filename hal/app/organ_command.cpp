@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hal/app/organ_recipe.h"
+#include "hal/app/organ_command.h"
 
 #include <fmt/format.h>
 #include <spawn.h>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kRecipe = "# organ: stylet-organ ";
+constexpr std::string_view kOrganCommand = "# organ: stylet-organ ";
 constexpr std::string_view kData = "{data}";
 
 void replace_all(std::string& text, std::string_view what, const std::string& by) {
@@ -56,11 +56,11 @@ std::string data_folder(const fs::path& scenes) {
   return fs::weakly_canonical(scenes / "../../../shared/data").string();
 }
 
-// The text after the recipe's mark; empty: there is no recipe.
-std::string recipe_of(const std::string& scene_text) {
+// The command after the mark; empty: the scene has none.
+std::string organ_command_of(const std::string& scene_text) {
   std::istringstream lines(scene_text);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(kRecipe)) return line.substr(kRecipe.size());
+    if (line.starts_with(kOrganCommand)) return line.substr(kOrganCommand.size());
   }
   return "";
 }
@@ -69,8 +69,8 @@ std::string recipe_of(const std::string& scene_text) {
 std::vector<std::string> words_of(const hal::Scene& scene, const std::string& organ) {
   const fs::path scenes = fs::absolute(scene.file).parent_path();
   std::vector<std::string> words = {builder()};
-  std::istringstream recipe(recipe_of(scene.text));
-  for (std::string word; recipe >> word;) {
+  std::istringstream command(organ_command_of(scene.text));
+  for (std::string word; command >> word;) {
     replace_all(word, kData, data_folder(scenes));
     replace_all(word, "{scenes}", scenes.string());
     words.push_back(word);
@@ -89,7 +89,7 @@ std::string command_of(const std::vector<std::string>& words) {
   return command;
 }
 
-// By its recipe and the version that follows it, so that a changed one makes another organ.
+// Named by its command and the version, so that another command or version makes another organ.
 fs::path kept_organ(const hal::Scene& scene) {
   const char* const caches = std::getenv("XDG_CACHE_HOME");
   const char* const home = std::getenv("HOME");
@@ -104,7 +104,7 @@ fs::path kept_organ(const hal::Scene& scene) {
         "there, or an organ file by --organ",
         scene.file));
   }
-  const std::string made_by = fmt::format("{} {}", STYLET_VERSION, recipe_of(scene.text));
+  const std::string made_by = fmt::format("{} {}", STYLET_VERSION, organ_command_of(scene.text));
   const std::size_t key = std::hash<std::string>()(made_by);
   return top / "stylet/organs" /
          fmt::format("{}-{:016x}.organ", fs::path(scene.file).stem().string(), key);
@@ -130,7 +130,7 @@ std::string run_program(const std::vector<std::string>& words) {
 }
 
 void require_meshes(const hal::Scene& scene) {
-  if (recipe_of(scene.text).find(kData) == std::string::npos) return;
+  if (organ_command_of(scene.text).find(kData) == std::string::npos) return;
   std::error_code error;
   const std::string folder = data_folder(fs::absolute(scene.file).parent_path());
   if (fs::is_directory(folder, error)) return;
@@ -140,9 +140,9 @@ void require_meshes(const hal::Scene& scene) {
       scene.file, folder));
 }
 
-// The installed organ, if it is what the scene's recipe makes and is there; else empty.
+// The installed organ, if the scene's command is the one that made it and it is there; else empty.
 fs::path phantom_of(const hal::Scene& scene) {
-  if (recipe_of(scene.text) != STYLET_PHANTOM_RECIPE) return {};
+  if (organ_command_of(scene.text) != STYLET_PHANTOM_COMMAND) return {};
   const fs::path organ = own_program().parent_path().parent_path() / STYLET_PHANTOM;
   return hal::why_unreadable(organ) == "no such file" ? fs::path() : organ;
 }
@@ -171,13 +171,13 @@ std::string own_organ(const hal::Scene& scene) {
 
 }  // namespace
 
-bool has_recipe(const std::string& scene_text) {
-  return !recipe_of(scene_text).empty();
+bool has_organ_command(const std::string& scene_text) {
+  return !organ_command_of(scene_text).empty();
 }
 
 std::string organ_of_scene(const hal::Scene& scene) {
   const fs::path path = fs::path(scene.file).parent_path() / scene.organ_path;
-  if (!has_recipe(scene.text) || hal::why_unreadable(path) != "no such file") return path;
+  if (!has_organ_command(scene.text) || hal::why_unreadable(path) != "no such file") return path;
   if (comes_with_stylet(scene.file)) return own_organ(scene);
   throw hal::SceneError(fmt::format("{}: no such file: the organ of this scene is made by: {}",
                                     path.string(), command_of(words_of(scene, path))));

@@ -15,7 +15,7 @@
 namespace stylet::app {
 
 // Whether a scene's text says how its organ is made.
-bool has_recipe(const std::string& scene_text);
+bool has_organ_command(const std::string& scene_text);
 
 // The file of the organ that the scene names. Makes it if it is not there and the scene comes with
 // Stylet; else, and where stylet-organ is missing, throws SceneError with the command that does.

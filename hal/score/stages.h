@@ -38,7 +38,7 @@ struct TrackPoint {
 };
 TrackPoint track_point(const TickRecord& record, const Course& course);
 
-struct PhaseRow {
+struct StageRow {
   Stage stage;
   std::uint64_t start_tick, end_tick;  // [start, end)
   float depth_m;                       // greatest length of the needle in the tissue
@@ -59,9 +59,9 @@ struct PhaseRow {
 // The fraction of its starting force that the tissue has released at the end of a stage, 0 to 1, if
 // the force falls without changing sign. nullopt if it rises, changes sign or was too small to be
 // felt at the start.
-std::optional<double> fallen_share(const PhaseRow& row);
+std::optional<double> fallen_fraction(const StageRow& row);
 
 // `unit_m`: needle unit; the slope leaves out the first needle unit after the puncture.
-std::vector<PhaseRow> find_phases(std::span<const TrackPoint> track, double period_s, float unit_m);
+std::vector<StageRow> find_stages(std::span<const TrackPoint> track, double period_s, float unit_m);
 
 }  // namespace stylet::hal
