@@ -329,6 +329,10 @@ struct ListOptions {
   std::string organ_of;  // empty: all are listed
 };
 
+int answer(const ListOptions& asked) {
+  return asked.organ_of.empty() ? list_scenes(asked.json) : tell_organ(asked.organ_of);
+}
+
 void add_lists(CLI::App& program, ListOptions& scene_list, bool& needles_json) {
   CLI::App& scenes = *program.add_subcommand(
       "scenes", "List the scenes that come with Stylet, to run by their name");
@@ -382,10 +386,7 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kExitOk : kExitUsage;
   }
-  if (program.got_subcommand("scenes")) {
-    return scene_list.organ_of.empty() ? list_scenes(scene_list.json)
-                                       : tell_organ(scene_list.organ_of);
-  }
+  if (program.got_subcommand("scenes")) return answer(scene_list);
   if (program.got_subcommand("needles")) return list_needles(needles_json);
   if (program.got_subcommand("run")) {
     run_options.scene = scene_file(run_options.scene);

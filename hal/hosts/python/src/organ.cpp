@@ -79,6 +79,12 @@ py::object kept(const Organ& organ, py::object& array, const py::dtype& dtype, p
   return array;
 }
 
+py::str told(const Organ& o) {
+  return py::str("<stylet.Organ {!r}: {} voxels of {:.4g} mm, {} materials>")
+      .format(o.info.attr("name"), o.info.attr("voxels"),
+              1e3 * o.info.attr("voxel_edge_m").cast<double>(), o.info.attr("materials"));
+}
+
 }  // namespace
 
 Organ read_organ(const std::string& path) {
@@ -109,11 +115,7 @@ void add_organ(py::module_& module) {
   // Nothing of it changes: a copy is the same one.
   type.def("__copy__", [](const py::object& self) { return self; })
       .def("__deepcopy__", [](const py::object& self, const py::dict&) { return self; })
-      .def("__repr__", [](const Organ& o) {
-        return py::str("<stylet.Organ {!r}: {} voxels of {:.4g} mm, {} materials>")
-            .format(o.info.attr("name"), o.info.attr("voxels"),
-                    1e3 * o.info.attr("voxel_edge_m").cast<double>(), o.info.attr("materials"));
-      });
+      .def("__repr__", told);
   type.def_static(
           "read",
           [](const py::object& path) {
