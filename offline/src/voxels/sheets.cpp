@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxels/sheets.h"
 
+#include <bit>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 #include "base/disjoint_set.h"
 #include "base/refusal.h"
@@ -14,8 +16,13 @@ namespace {
 
 class Splitter {
  public:
-  Splitter(const Claims& claims, const SamplePlaces& places, Lattice lattice)
-      : lattice_(std::move(lattice)), cells_(claims, places, lattice_) {}
+  Splitter(Claims& claims, const SamplePlaces& places, Lattice lattice,
+           const Connections& connections)
+      : asked_by_(connections.gaps_part ? "--split-gaps" : "--slide"),
+        lattice_(std::move(lattice)),
+        cells_(claims, places, lattice_, connections) {
+    remove_strays(claims);
+  }
 
   Lattice split() {
     if (!find_crowded()) return std::move(lattice_);
@@ -28,6 +35,31 @@ class Splitter {
   }
 
  private:
+  void remove_strays(Claims& claims) {
+    std::unordered_map<std::uint32_t, std::uint64_t> stray;
+    for (const CellParts::Stray& each : cells_.strays) stray[each.cell] |= each.samples;
+    for (const auto& [cell, samples] : stray) {
+      claims.inside[cell] &= ~samples;
+      claims.owner_fill[cell] = 0;
+      lattice_.fill[lattice_.voxel_of_cell[cell]] = fill_of(claims.inside[cell]);
+    }
+    std::unordered_map<std::uint32_t, int> priority;  // of the best owner so far
+    for (Claims::Share& share : claims.shares) {
+      const auto found = stray.find(share.cell);
+      if (found == stray.end()) continue;
+      share.inside &= ~found->second;
+      const auto left = static_cast<std::uint8_t>(std::popcount(share.inside));
+      const int best = priority.try_emplace(share.cell, share.priority).first->second;
+      std::uint8_t& most = claims.owner_fill[share.cell];
+      if (left == 0 || (most > 0 && std::tie(share.priority, left) <= std::tie(best, most))) {
+        continue;
+      }
+      claims.owner[share.cell] = share.owner;
+      priority[share.cell] = share.priority;
+      most = left;
+    }
+  }
+
   bool find_crowded() {
     bool any = false;
     for (std::uint32_t i = 0; i < cells_.parts.size(); ++i) {
@@ -162,9 +194,9 @@ class Splitter {
     if (sheets > kMaxSheets || rows * sheets > 65535 ||
         rows * sheets * lattice_.grid.size[2] > kMaxRows) {
       refuse<TooFine>(
-          "--split-gaps: {} sheets of {} x {} rows: expected {} sheets and {} rows at most: choose "
-          "another voxel edge",
-          sheets, rows, lattice_.grid.size[2], kMaxSheets, kMaxRows);
+          "{}: {} sheets of {} x {} rows: expected {} sheets and {} rows at most: choose another "
+          "voxel edge",
+          asked_by_, sheets, rows, lattice_.grid.size[2], kMaxSheets, kMaxRows);
     }
     lattice_.sheets = sheets;
     lattice_.sheet_rows = sheets == 1 ? lattice_.grid.size[1] : static_cast<std::uint32_t>(rows);
@@ -186,7 +218,7 @@ class Splitter {
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     if (order.size() > kMaxVoxels) {
-      refuse<TooFine>("--split-gaps: {} voxels: expected at most {}: choose a larger voxel edge",
+      refuse<TooFine>("{}: {} voxels: expected at most {}: choose a larger voxel edge", asked_by_,
                       order.size(), kMaxVoxels);
     }
     std::vector<std::uint32_t> parts_in_cell;
@@ -254,14 +286,16 @@ class Splitter {
 
   static constexpr int kRefused = -2;
 
+  const char* asked_by_;
   Lattice lattice_;
   CellParts cells_;
 };
 
 }  // namespace
 
-Lattice split_parts(const Claims& claims, const SamplePlaces& places, Lattice lattice) {
-  return Splitter(claims, places, std::move(lattice)).split();
+Lattice split_parts(Claims& claims, const SamplePlaces& places, Lattice lattice,
+                    const Connections& connections) {
+  return Splitter(claims, places, std::move(lattice), connections).split();
 }
 
 }  // namespace stylet::offline
