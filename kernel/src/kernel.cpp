@@ -13,6 +13,7 @@
 #include "coupling/return_map.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
+#include "coupling/slides.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "laws/cone.h"
@@ -290,6 +291,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   ModelHead& head = *model.head;
   const float dt = head.substep_s;
   const float limit = wave_limit_per_s2(dt, head.config.tissue_damping_s);
+  add_slide_room(model, model.step_per_mass);
   for (std::uint32_t i = 0; i < counts.filtered_particles; ++i) {
     model.bound[i] = model.step_per_mass[i];
   }
@@ -357,6 +359,7 @@ Status count(const Organ& organ, const Config& config, Counts& counts_out) {
     counts_out.membrane_needles = counts_out.needles;
     counts_out.membranes = 1;
   }
+  count_slides(organ, counts_out);
   return status;
 }
 
@@ -402,12 +405,15 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_slots(organ, model, counts);
   fill_particles(organ, model, counts);
   fill_mixed(organ, model);
+  fill_slides(organ, model);
   fill_masses(organ, model, counts);
   kernel_out = {memory.model.data(), memory.state.data(), memory.scratch.data(), need,
                 lattice_step_for_this_processor()};
   View view = view_of(kernel_out);
   // Read before its first write, but not trusted (match.cpp); memory checkers cannot know that.
   for (std::uint32_t i = 0; i < counts.slots; ++i) view.scratch.slot_mark[i] = 0;
+  // Added to from the first substep on.
+  for (std::uint32_t i = 0; i < 3 * counts.slid_particles; ++i) view.scratch.slide_force[i] = 0;
   for (std::uint32_t i = 0; i < counts.needles; ++i) {
     make_needle(config.needle[i], view.model.rod[i]);
   }
@@ -447,6 +453,7 @@ void reset(Kernel& kernel) {
     needle.track_current = kNoTrack;
     relax_rod(view.model.rod[i], view.state.rod_shape[i]);
   }
+  reset_slides(view.model, view.state);
 }
 
 std::uint64_t hash(const Kernel& kernel) {

@@ -8,6 +8,7 @@
 #include "coupling/match.h"
 #include "coupling/roll.h"
 #include "coupling/spring.h"
+#include "coupling/slides.h"
 #include "lattice/voxel.h"
 #include "laws/stiffening.h"
 #include "needle/rod.h"
@@ -248,6 +249,8 @@ Energy energy(const Kernel& kernel) {
       if (view.model.slot_k[slot] > 0) out.elastic += voxel_energy(view.model, view.state, r, slot);
     }
   }
+  out.elastic += slides_energy(view.model, view.state);
+  if (has_slides(view.model)) out.sliding = view.state.slide_books->friction_j;
   out.kinetic = kinetic_energy(view.model, view.state);
   out.coupling = coupling_energy(view.model, view.state);
   out.bending = needles_energy(view.model, view.state);

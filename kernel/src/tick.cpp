@@ -43,6 +43,7 @@
 #include "coupling/surface.h"
 #include "hand/force.h"
 #include "hand/input.h"
+#include "coupling/slides.h"
 #include "state/attachment.h"
 #include "state/invariants.h"
 
@@ -272,6 +273,7 @@ void tick(Kernel& kernel, std::span<const Input> inputs, std::span<Output> outpu
     const std::uint32_t substeps = model.head->config.substeps;
     for (std::uint32_t s = 0; s < substeps; ++s) {
       scratch.head->substeps_to_come = substeps - 1 - s;
+      press_slides(model, first, scratch);
       kernel.step(kernel);
     }
     // Tissue dragged to a hundredfold of its length may overflow, and a needle that has left the

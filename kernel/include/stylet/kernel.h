@@ -357,6 +357,7 @@ struct Energy {
   double work_by_hand;                   // since reset
   double friction, cutting, relaxation;  // dissipated since reset, by constraint particles
   double obstacles;                      // dissipated since reset, by contacts with obstacles
+  double sliding;                        // the same by parts of the organ that slide on each other
 };
 Energy energy(const Kernel& kernel);
 

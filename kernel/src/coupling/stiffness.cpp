@@ -88,11 +88,11 @@ void set_relaxation(const ModelHead& head, Particle& p) {
 // many times stiffer the upper one is; the sum of the squares of the weights if all were one
 // tissue; and that sum times how far beside the voxel's middle they act. The mean offset of the
 // supports is along the needle, because the place they surround lies an edge below the tip.
-struct Ground {
+struct Footing {
   float deep_pa, upper_ratio, squares, beside;
 };
 
-Ground ground_under(const Model& model, const Particle& p) {
+Footing ground_under(const Model& model, const Particle& p) {
   const ModelHead& head = *model.head;
   Vec3 mean = {};
   for (std::uint32_t i = 0; i < p.support_count; ++i) {
@@ -124,23 +124,23 @@ Ground ground_under(const Model& model, const Particle& p) {
 // What yields under a small force, and how much more under a larger one: one tissue like the tip's,
 // so that layers below add what they really yield. Below a thin skin it is the layers: the skin's
 // law covers all that is under it.
-Ground ground_of(const Model& model, const Particle& p) {
+Footing footing_of(const Model& model, const Particle& p) {
   const MaterialModel& m = model.head->material[p.material];
-  Ground ground = ground_under(model, p);
-  if (model.forces[p.material].film.force_n > 0) return ground;
-  ground.deep_pa = m.lattice_shear_pa;
-  ground.upper_ratio = 1;
-  return ground;
+  Footing footing = ground_under(model, p);
+  if (model.forces[p.material].film.force_n > 0) return footing;
+  footing.deep_pa = m.lattice_shear_pa;
+  footing.upper_ratio = 1;
+  return footing;
 }
 
 // Effect of the tip's place among voxels: the stiffer the upper layer, the less of it is felt.
-float place_part(const Ground& g) {
+float place_part(const Footing& g) {
   return clamp(1 - kPlaceSlope * natural_log(g.upper_ratio), 0, 2);
 }
 
 // Compliance of the lattice under the tip in contact: that of the deeper layer, less below a
 // stiffer layer.
-float surface_compliance(const Model& model, const Ground& g, float poisson) {
+float surface_compliance(const Model& model, const Footing& g, float poisson) {
   const float place = kSurfaceGiveSquares * g.squares + kSurfaceGiveBeside * g.beside;
   const float give = kSurfaceGive - kSurfaceGiveSlope * poisson + kPlaceMean +
                      place_part(g) * (place - kPlaceMean);
@@ -219,7 +219,7 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   switch (role) {
     case Role::kSurface:
       target = wanted_punch(model, state, particle.material).stiffness_n_per_m;
-      lattice_compliance = surface_compliance(model, ground_of(model, particle), nu);
+      lattice_compliance = surface_compliance(model, footing_of(model, particle), nu);
       least = kLeastOwnPart * lattice_compliance;
       break;
     case Role::kTip:
@@ -265,12 +265,12 @@ ContactLaw law_of(const Model& model, const State& state) {
   // A snapshot may contain any number.
   const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
   const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
-  const Ground ground = ground_of(model, tip);
-  const float unit_n = ground.deep_pa * head.edge_m * head.edge_m;
+  const Footing footing = footing_of(model, tip);
+  const float unit_n = footing.deep_pa * head.edge_m * head.edge_m;
   constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
   // Where tissue stiffens, the lattice does, too: it gives no faster under larger forces.
-  const float faster = m.stiffening > 0 ? 0 : kGiveGrowth - kGiveGrowthSquares * ground.squares;
-  const float growth = max_of(faster * place_part(ground), 1e-3F);
+  const float faster = m.stiffening > 0 ? 0 : kGiveGrowth - kGiveGrowthSquares * footing.squares;
+  const float growth = max_of(faster * place_part(footing), 1e-3F);
   const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
   const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
   const Punch wanted = wanted_punch(model, state, tip.material);

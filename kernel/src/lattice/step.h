@@ -200,10 +200,26 @@ void weigh_particles(const Model& model, const State& state, const Plane& plane,
   });
 }
 
+// Adds what parts that slide press on each other, and sets it to zero.
+void take_slides(const Model& model, Scratch& scratch, const Plane& plane, float* force) {
+  const auto force_axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
+  const std::ptrdiff_t axis = model.head->counts.slid_particles;
+  float* const from = scratch.slide_force + plane.particle_begin;
+  for_each_group(plane, [&](std::ptrdiff_t i) {
+    for (std::ptrdiff_t c = 0; c < 3; ++c) {
+      float* const to = force + (i + c * force_axis);
+      float* const each = from + (i + c * axis);
+      store(to, load(to) + load(each));
+      store(each, Wide{});
+    }
+  });
+}
+
 // Applies all forces on the particles of a plane.
 void finish_particles(const Model& model, State& state, Scratch& scratch, const Plane& plane,
                       float* force, Motion& motion) {
   add_changes(model, scratch, static_cast<std::uint32_t>(&plane - model.plane), force);
+  if (has_slides(model)) take_slides(model, scratch, plane, force);
   join_tied(model.tie + plane.tie_begin, model.tie + plane.tie_end, force, plane.particle_begin,
             model.head->counts.particles_per_plane);
   if (has_weight(model)) weigh_particles(model, state, plane, force);

@@ -21,6 +21,7 @@
 #include "organ/runs.h"
 #include "state/lattice_plan.h"
 #include "state/members.h"
+#include "state/slide.h"
 #include "stylet/kernel.h"
 #include "stylet/limits.h"
 #include "stylet/organ.h"
@@ -44,6 +45,8 @@ struct Counts {
   std::uint32_t needles;
   std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
   std::uint32_t fluids;                       // needles, or zero if the hubs of all are closed
+  // Parts that slide on each other: points and grounds; particles, and 1; zero if there are none.
+  std::uint32_t slide_points, grounds, slid_particles, slides;
   // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
   // of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
@@ -277,7 +280,13 @@ struct ScratchHead {
   /* representative: with sheets only: the particle that each node is */                 \
   F(representative, std::uint32_t, c.sheets > 1 ? c.particles : 0)                       \
   /* quarters: with sheets only: which quarters of its cell a voxel owns (organ.fbs) */  \
-  F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)
+  F(quarters, std::uint64_t, c.sheets > 1 ? c.slots : 0)                                 \
+  /* slide_point: points of parts that slide on a ground (coupling/slides.h) */           \
+  F(slide_point, SlidePoint, c.slide_points)                                             \
+  /* ground: what they slide on */                                                       \
+  F(ground, SlideGround, c.grounds)                                                      \
+  /* slide_room: N/m: stiffness that contact of parts may add to a particle */           \
+  F(slide_room, float, c.slid_particles)
 
 #define STYLET_STATE_FIELDS(F)                                                            \
   /* head: tick, faults, counters and energy books; written by all steps */               \
@@ -322,7 +331,11 @@ struct ScratchHead {
   /* membrane: what each tip has met of membranes; written by coupling/membranes */       \
   F(membrane, MembraneState, c.membrane_needles)                                          \
   /* holes: those that tips have made in membranes; likewise */                           \
-  F(holes, MembraneHoles, c.membranes)
+  F(holes, MembraneHoles, c.membranes)                                                    \
+  /* slide: where points of parts that slide are; written by coupling/slides */            \
+  F(slide, SlideState, c.slide_points)                                                    \
+  /* slide_books: what their friction has taken; likewise */                              \
+  F(slide_books, SlideBooks, c.slides)
 
 #define STYLET_SCRATCH_FIELDS(F)                                                      \
   /* head: counts of this tick */                                                     \
@@ -360,7 +373,13 @@ struct ScratchHead {
   /* rod_result: the result of it */                                                  \
   F(rod_result, RodResult, 1)                                                         \
   /* touch: touches of this tick, before they are kept */                             \
-  F(touch, Touch, kMaxTouches)
+  F(touch, Touch, kMaxTouches)                                                        \
+  /* slide_contact: contacts of points in a substep (coupling/slides.h) */             \
+  F(slide_contact, SlideContact, c.slide_points)                                      \
+  /* slide_use: N/m: stiffness that they would add to a particle */                   \
+  F(slide_use, float, c.slid_particles)                                               \
+  /* slide_force: N: on particles, x, y and z; zero once they have moved */           \
+  F(slide_force, float, 3 * c.slid_particles)
 
 // An array of a block, constant where its owner is: a `const State&` can be read, not written.
 template <typename T>
@@ -432,6 +451,9 @@ inline bool stiffens(const Model& model) {
 }
 inline bool has_membranes(const Model& model) {
   return model.head->counts.membrane_needles != 0;
+}
+inline bool has_slides(const Model& model) {
+  return model.head->counts.slides != 0;
 }
 inline bool has_true_mass(const Model& model) {
   return model.head->counts.filtered_particles != 0;

@@ -215,6 +215,15 @@ bool sound(const Limits& is, const MembraneHoles& holes, std::size_t) {
   return good;
 }
 
+bool sound(const Limits& is, const SlideState& s, std::size_t) {
+  return is.number(s.place) && is.number(s.stretch_m) && is.no_less(s.stiffness_n_per_m, 0) &&
+         s.ground < is.head().counts.grounds;
+}
+
+bool sound(const Limits& is, const SlideBooks& books, std::size_t) {
+  return is.number(books.friction_j);
+}
+
 bool sound(const Limits& is, const Event& e, std::size_t) {
   return e.kind <= EventKind::kLossOfResistance && is.layer(e.layer) && is.number(e.depth_m) &&
          is.number(e.force_n) && e.needle < is.head().counts.needles && e.reserved == 0;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where parts of the organ lie on each other and may slide: what the model knows of them, what a
+// tick leaves to the next one, and what it keeps within itself (coupling/slides.h).
+//
+// Promises: plain structs, the same bytes on every machine. The arrays are in layout.h. Units SI.
+#pragma once
+
+#include <cstdint>
+
+#include "stylet/units.h"
+
+namespace stylet {
+
+// A voxel of the part that is the ground.
+constexpr std::uint32_t kNoGround = 0xFFFFFFFFU;
+struct SlideGround {
+  std::uint32_t slot;
+  std::uint32_t node[8];    // particles at its corners
+  float outside_m[8];       // how far its corners at rest lie outside the ground's surface
+  Vec3 low_m;               // low corner at rest
+  std::uint32_t beside[6];  // the ground below and above along x, y and z, or kNoGround
+};
+// A point of the other part's surface.
+struct SlidePoint {
+  Vec3 rest_m;
+  std::uint32_t node[8];  // of its own voxel
+  float weight[8];
+  float stiffness_n_per_m, friction;
+  float rest_outside_m;  // at most 0: parts may overlap at rest
+  std::uint32_t ground;  // where it is at rest, and its place there (0 to 1 along each axis)
+  Vec3 place;
+};
+struct SlideState {
+  Vec3 place;               // in its ground at rest
+  Vec3 stretch_m;           // of friction's spring, along the surface
+  float stiffness_n_per_m;  // of its contact; 0: it touches nothing
+  std::uint32_t ground;
+};
+struct SlideBooks {
+  double friction_j;
+};
+// A point's contact in a substep.
+struct SlideContact {
+  float depth_m;    // 0: it touches nothing
+  Vec3 slope;       // of the depth, by the point's place now; outwards
+  float weight[8];  // of its ground's particles
+  Vec3 slip_m;      // along the surface, since the last substep
+};
+
+}  // namespace stylet
