@@ -20,13 +20,66 @@ std::vector<SideSamples> sides_in(const OfSamples& owner, const ApartOwners& apa
   return found;
 }
 
+// The owner on one of these sides that has most samples in a cell.
+struct BestOwner {
+  std::uint16_t owner = kNoOwner;
+  int samples = 0;
+
+  void offer(std::uint16_t other, int of_other) {
+    if (of_other <= samples) return;
+    owner = other;
+    samples = of_other;
+  }
+};
+
+void offer_cell(const Claims& claims, std::uint32_t cell, const ApartOwners& apart,
+                std::uint32_t sides, BestOwner& best) {
+  const auto offer = [&](std::uint16_t owner, int samples) {
+    if ((sides >> apart.side_of(owner) & 1U) != 0) best.offer(owner, samples);
+  };
+  offer(claims.owner[cell], claims.owner_fill[cell]);
+  for (const Claims::Share& share :
+       std::ranges::equal_range(claims.shares, cell, {}, &Claims::Share::cell)) {
+    offer(share.owner, std::popcount(share.inside));
+  }
+}
+
+// In the cell itself, else in the cells around.
+std::uint16_t owner_on(const Claims& claims, std::uint32_t cell, const ApartOwners& apart,
+                       std::uint32_t sides) {
+  BestOwner best;
+  offer_cell(claims, cell, apart, sides, best);
+  if (best.owner != kNoOwner) return best.owner;
+  const auto& size = claims.grid.size;
+  const std::uint32_t x = cell % size[0], y = cell / size[0] % size[1],
+                      z = cell / size[0] / size[1];
+  for (std::uint32_t n = 0; n < 27; ++n) {
+    // Below 0: beyond the size.
+    const std::uint32_t cx = x + n % 3 - 1, cy = y + n / 3 % 3 - 1, cz = z + n / 9 - 1;
+    if (cx >= size[0] || cy >= size[1] || cz >= size[2]) continue;
+    offer_cell(claims, static_cast<std::uint32_t>(cell_index(claims.grid, cx, cy, cz)), apart,
+               sides, best);
+  }
+  return best.owner;
+}
+
 }  // namespace
+
+void settle_owners(const Claims& claims, const Lattice& lattice, const ApartOwners& apart,
+                   std::vector<std::uint16_t>& owner_io) {
+  for (std::uint32_t voxel = 0; voxel < lattice.sides.size(); ++voxel) {
+    const std::uint32_t sides = lattice.sides[voxel];
+    if ((sides >> apart.side_of(owner_io[voxel]) & 1U) != 0) continue;
+    const std::uint16_t owner = owner_on(claims, lattice.cell_of_voxel[voxel], apart, sides);
+    if (owner != kNoOwner) owner_io[voxel] = owner;
+  }
+}
 
 bool ApartOwners::apart(std::uint32_t sides, std::uint32_t others) const {
   if (!any()) return false;
   for (; sides != 0; sides &= sides - 1) {
-    const auto side = static_cast<std::size_t>(std::countr_zero(sides));
-    if ((others & ~apart_from[side]) != 0) return false;
+    const auto one = static_cast<std::size_t>(std::countr_zero(sides));
+    if ((others & ~apart_from[one]) != 0) return false;
   }
   return true;
 }

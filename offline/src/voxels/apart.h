@@ -13,16 +13,19 @@ namespace stylet::offline {
 constexpr std::size_t kMostSides = 31;
 
 struct ApartOwners {
-  std::vector<std::uint32_t> side;         // of each owner; owners beyond the list are on side 0
-  std::vector<std::uint32_t> apart_from;   // of each side: the sides it stays apart from, as bits
+  std::vector<std::uint32_t> side;        // of each owner; owners beyond the list are on side 0
+  std::vector<std::uint32_t> apart_from;  // of each side: the sides it stays apart from, as bits
 
   bool any() const { return !apart_from.empty(); }
-  std::uint32_t side_of(std::uint16_t owner) const {
-    return owner < side.size() ? side[owner] : 0;
-  }
+  std::uint32_t side_of(std::uint16_t owner) const { return owner < side.size() ? side[owner] : 0; }
   // Whether no side of one set joins a side of the other.
   bool apart(std::uint32_t sides, std::uint32_t others) const;
 };
+
+// Gives each voxel an owner on one of its sides: also those without samples of their own, or whose
+// samples several inputs claim. `owner_io` is as from `owners`, which sorts the shares.
+void settle_owners(const Claims& claims, const Lattice& lattice, const ApartOwners& apart,
+                   std::vector<std::uint16_t>& owner_io);
 
 // The samples of a cell that are on one side.
 struct SideSamples {
@@ -46,7 +49,7 @@ class SampleSides {
 
  private:
   const ApartOwners& apart_;
-  std::vector<SideSamples> alone_;                      // of each cell; empty: all on side 0
+  std::vector<SideSamples> alone_;  // of each cell; empty: all on side 0
   std::unordered_map<std::uint32_t, std::vector<SideSamples>> several_;  // by cell
 };
 

@@ -19,13 +19,17 @@ class Splitter {
   Splitter(Claims& claims, const SamplePlaces& places, Lattice lattice,
            const Connections& connections)
       : asked_by_(connections.gaps_part ? "--split-gaps" : "--slide"),
+        any_apart_(connections.apart.any()),
         lattice_(std::move(lattice)),
         cells_(claims, places, lattice_, connections) {
     remove_strays(claims);
   }
 
   Lattice split() {
-    if (!find_crowded()) return std::move(lattice_);
+    if (!find_crowded()) {
+      for (const CellPart& part : cells_.parts) name_side(part);  // each voxel has one
+      return std::move(lattice_);
+    }
     find_groups();
     merge_parts();
     choose_sheets();
@@ -35,6 +39,10 @@ class Splitter {
   }
 
  private:
+  void name_side(const CellPart& part) {
+    if (any_apart_) lattice_.sides.push_back(part.sides);
+  }
+
   void remove_strays(Claims& claims) {
     std::unordered_map<std::uint32_t, std::uint64_t> stray;
     for (const CellParts::Stray& each : cells_.strays) stray[each.cell] |= each.samples;
@@ -146,6 +154,7 @@ class Splitter {
         } else {
           same->inside |= cells_.parts[i].inside;
           same->quarters |= cells_.parts[i].quarters;
+          same->sides |= cells_.parts[i].sides;
         }
       }
     }
@@ -236,6 +245,7 @@ class Splitter {
       add_voxel(lattice_.runs, cells_.place_of(part.cell),
                 row_of(cells_.place_of(part.cell), part.sheet));
       lattice_.fill.push_back(fill_of(part.inside));
+      name_side(part);
       lattice_.cell_of_voxel.push_back(part.cell);
       lattice_.voxel_of_cell[part.cell] = voxel;
       if (parts_in_cell[i] == 1) continue;
@@ -287,6 +297,7 @@ class Splitter {
   static constexpr int kRefused = -2;
 
   const char* asked_by_;
+  bool any_apart_;
   Lattice lattice_;
   CellParts cells_;
 };
