@@ -16,6 +16,8 @@
 #include "pipeline/settings.h"
 #include "pipeline/slides.h"
 #include "random_bodies.h"
+#include "session.h"
+#include "state/layout.h"
 
 namespace stylet::test {
 namespace {
@@ -346,6 +348,56 @@ TEST(Slides, WhatCannotBeMeantIsRefused) {
   }
   EXPECT_EQ(refusal_of([&] { offline::check_slides(offline::parse_slides(texts), tissues); }),
             "--slide: 33 tissues: expected at most 31");
+}
+
+// ---- in the kernel ------------------------------------------------------------------------------
+
+// What touches at rest stays at rest, whatever cells the surface runs through.
+TEST(Slides, RestIsRest) {
+  Draw draw(3);
+  for (int round = 0; round < 4; ++round) {
+    const auto frame = random_frame(draw);
+    const double level = draw.between(-4, 4);
+    const Mesh low = turned(box_mesh({-25, -25, -20}, {25, 25, level}), frame);
+    const Mesh high = turned(box_mesh({-25, -25, level}, {25, 25, 20}), frame);
+    const auto built =
+        build_quietly({input_of(low, 1e-3, "kidney"), input_of(high, 1e-3, "muscle")},
+                      sliding(draw.between(3, 6), "muscle:kidney"));
+    const Organ organ = opened(built.bytes);
+    Session session = make_session(organ, Config{});
+    for (int i = 0; i < 50; ++i) (void)tick(session.kernel, Input{});
+    constexpr float kRoundingM = 1e-8F;
+    EXPECT_LT(view_of(session.kernel).state.head->max_displacement_m, kRoundingM) << round;
+  }
+}
+
+// A slab lies on another by its weight alone.
+TEST(Slides, TheGroundBearsTheWeight) {
+  for (const double level : {17.2, 20.0, 23.1}) {
+    BuildOptions options = sliding(5, "muscle:kidney:0");
+    options.held = offline::parse_regions({"z<1"}, 1e-3);
+    const auto built =
+        build_quietly({input_of(box_mesh({0, 0, 0}, {60, 60, level}), 1e-3, "kidney"),
+                       input_of(box_mesh({10, 10, level}, {50, 50, 40}), 1e-3, "muscle")},
+                      options);
+    const Organ organ = opened(built.bytes);
+    Config config;
+    config.gravity_m_per_s2 = {0, 0, -9.81F};
+    Session session = make_session(organ, config);
+    for (int i = 0; i < 3000; ++i) (void)tick(session.kernel, Input{});
+    const View view = view_of(session.kernel);
+    double force = 0;
+    for (std::uint32_t p = 0; p < view.model.head->counts.slide_points; ++p) {
+      force += static_cast<double>(view.state.slide[p].stiffness_n_per_m *
+                                   view.scratch.slide_contact[p].depth_m *
+                                   view.scratch.slide_contact[p].slope.z);
+    }
+    const std::uint32_t lid = organ.voxel_material[organ.slide_points[0].voxel];
+    const double density = static_cast<double>(organ_material(organ, lid).density_kg_per_m3);
+    const double weight = 9.81 * density * 40e-3 * 40e-3 * (40 - level) * 1e-3;
+    EXPECT_NEAR(force, weight, 0.05 * weight) << level;
+    EXPECT_LT(view.state.head->max_displacement_m, 2e-3F) << level;
+  }
 }
 
 // ---- label maps ---------------------------------------------------------------------------------

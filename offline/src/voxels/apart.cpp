@@ -75,6 +75,26 @@ void settle_owners(const Claims& claims, const Lattice& lattice, const ApartOwne
   }
 }
 
+bool meets_apart(const Lattice& lattice, std::uint32_t voxel, const ApartOwners& apart) {
+  if (!apart.any()) return false;
+  const Grid& grid = lattice.grid;
+  const std::size_t cell = lattice.cell_of_voxel[voxel];
+  bool meets = false;
+  const auto look = [&](std::size_t there) {
+    each_voxel(lattice, there, [&](std::uint32_t other) {
+      meets = meets || apart.apart(lattice.sides[voxel], lattice.sides[other]);
+    });
+  };
+  look(cell);
+  const std::size_t steps[3] = {1, grid.size[0], std::size_t{grid.size[0]} * grid.size[1]};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t at = cell / steps[axis] % grid.size[axis];
+    if (at > 0) look(cell - steps[axis]);
+    if (at + 1 < grid.size[axis]) look(cell + steps[axis]);
+  }
+  return meets;
+}
+
 bool ApartOwners::apart(std::uint32_t sides, std::uint32_t others) const {
   if (!any()) return false;
   for (; sides != 0; sides &= sides - 1) {

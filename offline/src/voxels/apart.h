@@ -22,10 +22,23 @@ struct ApartOwners {
   bool apart(std::uint32_t sides, std::uint32_t others) const;
 };
 
+// Calls visit(voxel) for each voxel of a cell.
+template <typename Visit>
+void each_voxel(const Lattice& lattice, std::size_t cell, Visit visit) {
+  const std::uint32_t voxel = lattice.voxel_of_cell[cell];
+  if (voxel == kNoVoxel) return;
+  const std::span<const SharedCell> shared = shared_in(lattice, cell);
+  if (shared.empty()) visit(voxel);
+  for (const SharedCell& each : shared) visit(each.voxel);
+}
+
 // Gives each voxel an owner on one of its sides: also those without samples of their own, or whose
 // samples several inputs claim. `owner_io` is as from `owners`, which sorts the shares.
 void settle_owners(const Claims& claims, const Lattice& lattice, const ApartOwners& apart,
                    std::vector<std::uint16_t>& owner_io);
+
+// Whether a voxel shares its cell, or a face of it, with one that it is apart from.
+bool meets_apart(const Lattice& lattice, std::uint32_t voxel, const ApartOwners& apart);
 
 // The samples of a cell that are on one side.
 struct SideSamples {

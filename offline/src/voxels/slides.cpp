@@ -7,6 +7,7 @@
 
 #include "base/polygon.h"
 #include "meshes/near_surface.h"
+#include "voxels/apart.h"
 
 namespace stylet::offline {
 namespace {
@@ -153,24 +154,15 @@ class Slides {
     return (sides & parts_[part].side) != 0 && (sides & parts_[part].apart_from) == 0;
   }
 
-  // Calls visit(voxel) for each voxel of a cell.
+  // Calls visit(voxel) for each voxel of a cell; of one outside the grid, for none.
   template <typename Visit>
-  void each_voxel(const Cell& cell, Visit visit) const {
-    const auto& size = lattice_.grid.size;
+  void each_voxel_of(const Cell& cell, Visit visit) const {
+    const Grid& grid = lattice_.grid;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (cell[axis] < 0 || cell[axis] >= std::int64_t{size[axis]}) return;
+      if (cell[axis] < 0 || cell[axis] >= std::int64_t{grid.size[axis]}) return;
     }
-    const std::size_t index = index_of(cell);
-    const std::uint32_t voxel = lattice_.voxel_of_cell[index];
-    if (voxel == kNoVoxel) return;
-    const std::span<const SharedCell> shared = shared_in(lattice_, index);
-    if (shared.empty()) visit(voxel);
-    for (const SharedCell& each : shared) visit(each.voxel);
-  }
-
-  std::size_t index_of(const Cell& c) const {
-    return cell_index(lattice_.grid, static_cast<std::uint32_t>(c[0]),
-                      static_cast<std::uint32_t>(c[1]), static_cast<std::uint32_t>(c[2]));
+    const auto at = [&](std::size_t axis) { return static_cast<std::uint32_t>(cell[axis]); };
+    each_voxel(lattice_, cell_index(grid, at(0), at(1), at(2)), visit);
   }
 
   struct Found {
@@ -191,7 +183,7 @@ class Slides {
             const Cell cell = {own[0] + x, own[1] + y, own[2] + z};
             const double away = length(nearest_in(cell, at) - at);
             if (away > best.away || (away == best.away && best.voxel != kNoVoxel)) continue;
-            each_voxel(cell, [&](std::uint32_t voxel) {
+            each_voxel_of(cell, [&](std::uint32_t voxel) {
               if (wanted(voxel)) best = {voxel, cell, away};
             });
           }
