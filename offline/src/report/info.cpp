@@ -240,6 +240,27 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
           {"provenance", provenance_facts(root)}};
 }
 
+namespace {
+
+// Membranes, and where parts slide.
+std::string surfaces_text(const Json& f) {
+  std::string text;
+  for (const auto& m : f["membranes"]) {
+    text += fmt::format("membrane      {:<14} {:>8} voxels {:>9.4g} cm2\n",
+                        m["tissue"].get<std::string>(), m["cells"].get<std::size_t>(),
+                        m["area_cm2"].get<double>());
+  }
+  for (const auto& s : f["slides"]) {
+    text += fmt::format("slide         {:<14} {:>8} points {:>9.4g} cm2  on {}, friction {:.3g}\n",
+                        s["tissue"].get<std::string>(), s["points"].get<std::size_t>(),
+                        s["area_cm2"].get<double>(), s["ground"].get<std::string>(),
+                        s["friction"].get<double>());
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string organ_text(const nlohmann::ordered_json& f) {
   std::string text = fmt::format(
       "organ         {}  (hash {})\nlattice       {} voxels of {:.6g} mm in {} x {} x {}, {:.4g} "
@@ -266,17 +287,7 @@ std::string organ_text(const nlohmann::ordered_json& f) {
         conductance > 0 ? fmt::format("  fluid {:.4g} kPa", m["fluid_pressure_kpa"].get<double>())
                         : "");
   }
-  for (const auto& m : f["membranes"]) {
-    text += fmt::format("membrane      {:<14} {:>8} voxels {:>9.4g} cm2\n",
-                        m["tissue"].get<std::string>(), m["cells"].get<std::size_t>(),
-                        m["area_cm2"].get<double>());
-  }
-  for (const auto& s : f["slides"]) {
-    text += fmt::format("slide         {:<14} {:>8} points {:>9.4g} cm2  on {}, friction {:.3g}\n",
-                        s["tissue"].get<std::string>(), s["points"].get<std::size_t>(),
-                        s["area_cm2"].get<double>(), s["ground"].get<std::string>(),
-                        s["friction"].get<double>());
-  }
+  text += surfaces_text(f);
   const auto& b = f["bytes"];
   text += fmt::format(
       "file          {:.3f} MB: lattice {:.3f} ({:.2f} bytes per voxel), vertices {:.3f}, "
