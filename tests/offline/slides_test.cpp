@@ -400,6 +400,56 @@ TEST(Slides, TheGroundBearsTheWeight) {
   }
 }
 
+// How far the points have gone along x, on average, m.
+double gone_x_m(const View& view) {
+  double sum = 0;
+  for (std::uint32_t p = 0; p < view.model.head->counts.slide_points; ++p) {
+    const SlidePoint& point = view.model.slide_point[p];
+    for (std::size_t i = 0; i < 8; ++i) {
+      sum += static_cast<double>(point.weight[i] * view.state.ux[point.node[i]]);
+    }
+  }
+  return sum / view.model.head->counts.slide_points;
+}
+
+// A slab slides on another body, as on a slope. A needle goes through both and holds it.
+TEST(Slides, ANeedleCrossesAndHoldsWhatSlides) {
+  BuildOptions options = sliding(4.6, "muscle:kidney:0.3");
+  options.held = offline::parse_regions({"z<1"}, 1e-3);
+  const auto built =
+      build_quietly({input_of(box_mesh({0, 0, 0}, {100, 60, 30.7}), 1e-3, "kidney"),
+                     input_of(box_mesh({10, 10, 30.7}, {70, 50, 45}), 1e-3, "muscle")},
+                    options);
+  const Organ organ = opened(built.bytes);
+  for (const bool with_needle : {false, true}) {
+    Config config;
+    config.gravity_m_per_s2 = {3.6F, 0, -9.81F};
+    Session session = make_session(organ, config);
+    const View view = view_of(session.kernel);
+    std::set<std::string> met;
+    std::vector<double> gone_mm;
+    for (int t = 0; t < 1600; ++t) {
+      const float way_mm = std::clamp(0.1F * static_cast<float>(t - 600), 0.0F, 32.0F);
+      const float tip_mm = with_needle ? 47 - way_mm : 100;
+      Input input{};
+      input.handle = {{48e-3F, 30e-3F, tip_mm * 1e-3F + config.needle[0].length_m}, {1, 0, 0, 0}};
+      input.valid = 1;
+      const Output out = tick(session.kernel, input);
+      ASSERT_TRUE(std::isfinite(out.force_n.x + out.force_n.y + out.force_n.z));
+      if (out.layer != kNoLayer) met.insert(organ_material(organ, out.layer).name);
+      gone_mm.push_back(gone_x_m(view) * 1e3);
+    }
+    EXPECT_GT(gone_mm[600], 1);  // it slides before the needle comes
+    EXPECT_EQ(met.size(), with_needle ? 2U : 0U);
+    if (with_needle) {
+      EXPECT_LT(gone_mm[1599], gone_mm[600] + 2);
+      EXPECT_NEAR(gone_mm[1599], gone_mm[1399], 0.05);
+    } else {
+      EXPECT_GT(gone_mm[1599], 8);
+    }
+  }
+}
+
 // ---- label maps ---------------------------------------------------------------------------------
 
 // A map of 48 x 48 x 40 mm in two halves, below and above a height.
