@@ -236,6 +236,30 @@ TEST(Slides, BallsInShells) {
   }
 }
 
+// An organ of higher priority in a body that encloses it: the body's inner surface is the organ's.
+TEST(Slides, AnOrganInABodyAroundIt) {
+  const Mesh organ_m = box_mesh({15, 12, 9}, {45, 40, 33}),
+             body = box_mesh({0, 0, 0}, {60, 60, 50});
+  for (const std::string which : {"kidney:muscle", "muscle:kidney"}) {
+    const auto built =
+        build_quietly({input_of(body, 1e-3, "muscle", 0), input_of(organ_m, 1e-3, "kidney", 1)},
+                      sliding(3.7, which));
+    const Organ organ = opened(built.bytes);
+    const double area = 2e-6 * (30 * 28 + 30 * 24 + 28 * 24);
+    EXPECT_NEAR(area_m2(organ), area, 0.02 * area) << which;
+    EXPECT_EQ(shared_particles(organ, "kidney", "muscle"), 0U);
+    const std::vector<Voxel> voxels = voxels_of(organ);
+    const double sign = which == "kidney:muscle" ? 1 : -1;
+    for (const OrganSlideGround& g : organ.slide_grounds) {
+      const Vec at = low_of(organ, voxels[g.voxel]) * 1e3;
+      const double inner =
+          std::min({at.x - 15, 45 - at.x, at.y - 12, 40 - at.y, at.z - 9, 33 - at.z});
+      if (inner <= 0) continue;  // beside edges and corners no face is nearest
+      ASSERT_NEAR(static_cast<double>(g.distance[0]) * 3.7, sign * inner, 1e-3) << which;
+    }
+  }
+}
+
 // The ground goes on below its surface, however thin it is, and its far side is not met.
 TEST(Slides, ThinGroundsAndThinParts) {
   for (const double thin_mm : {1.2, 2.0, 3.5}) {

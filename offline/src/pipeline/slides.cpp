@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "base/most_off.h"
 #include "base/refusal.h"
+#include "meshes/triangle_tree.h"
 #include "stylet/limits.h"
 
 namespace stylet::offline {
@@ -64,6 +66,45 @@ Mesh surface_of(const Claimed& claimed, const std::string& tissue) {
     if (claimed.tissues[i] == tissue) add_mesh(mesh, claimed.surface_m[i]);
   }
   return mesh;
+}
+
+int priority_of(const Claimed& claimed, const std::string& tissue) {
+  int most = std::numeric_limits<int>::min();
+  for (const Claims::Share& share : claimed.claims.shares) {
+    if (claimed.tissues[share.owner] == tissue) most = std::max(most, share.priority);
+  }
+  return most;
+}
+
+// Whether a triangle of `mesh` lies inside the other surface; not if it only touches it.
+std::vector<bool> inside(const Mesh& mesh, const TriangleTree& other) {
+  constexpr double kTouchM = 1e-6;
+  std::vector<bool> is_inside;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
+    const Vec normal = cross(b - a, c - a);
+    const double size = length(normal);
+    const Vec below = size > 0 ? normal * (-kTouchM / size) : Vec{};
+    is_inside.push_back(winding_number(other, (a + b + c) * (1.0 / 3) + below) > 0.5);
+  }
+  return is_inside;
+}
+
+// What a stronger input leaves of a weaker one, whose volume it takes: a body around an organ has
+// the organ's surface as its inner one.
+Mesh left_of(const Mesh& weak, const Mesh& strong) {
+  const std::vector<bool> taken = inside(weak, triangle_tree(strong.points, strong.triangles));
+  const std::vector<bool> inner = inside(strong, triangle_tree(weak.points, weak.triangles));
+  Mesh left = {weak.points, {}}, turned = {strong.points, {}};
+  for (std::size_t i = 0; i < weak.triangles.size(); ++i) {
+    if (!taken[i]) left.triangles.push_back(weak.triangles[i]);
+  }
+  for (std::size_t i = 0; i < strong.triangles.size(); ++i) {
+    const Triangle& t = strong.triangles[i];
+    if (inner[i]) turned.triangles.push_back({t[0], t[2], t[1]});
+  }
+  add_mesh(left, turned);
+  return left;
 }
 
 void warn_of_area(const Slide& slide, const SlideArea& area, double edge_m,
@@ -158,6 +199,13 @@ SlideLists place_slides(const std::vector<Slide>& slides, const Claimed& claimed
   for (const Slide& slide : slides) {
     pairs.push_back(
         {number_in(sliding, slide.tissue), number_in(sliding, slide.ground), slide.friction});
+    Mesh& tissue_m = parts[pairs.back().part].surface_m;
+    Mesh& ground_m = parts[pairs.back().ground].surface_m;
+    if (tissue_m.triangles.empty() || ground_m.triangles.empty()) continue;
+    const int of_tissue = priority_of(claimed, slide.tissue);
+    const int of_ground = priority_of(claimed, slide.ground);
+    if (of_tissue > of_ground) ground_m = left_of(ground_m, tissue_m);
+    if (of_tissue < of_ground) tissue_m = left_of(tissue_m, ground_m);
   }
   SlideLists lists = list_slides(parts, pairs, lattice, claimed.cut);
   const double edge_m = lattice.grid.edge_m;
