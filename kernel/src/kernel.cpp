@@ -11,9 +11,9 @@
 #include "config.h"
 #include "coupling/bend.h"
 #include "coupling/return_map.h"
+#include "coupling/slides.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
-#include "coupling/slides.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "laws/cone.h"
@@ -164,16 +164,6 @@ void fill_sheets(const Organ& organ, Model& model, const Counts& counts) {
   }
 }
 
-// Tied nodes are one particle: each gets the sum of their values.
-void sum_tied(Model& model, const Counts& counts, float* of_node) {
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    of_node[model.tie[i].representative] += of_node[model.tie[i].node];
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    of_node[model.tie[i].node] = of_node[model.tie[i].representative];
-  }
-}
-
 // Bound on the stiffness of a voxel's motions at each corner (PHYSICS 3.2). Those that change the
 // volume are one family, those that stiffen the other. Without either the bound has a margin:
 // there every motion of every voxel is at it, and a beam of 2.5 mm voxels, 200 kPa, swung for ever
@@ -256,7 +246,7 @@ void fill_particles(const Organ& organ, Model& model, const Counts& counts) {
     }
   }
   float* const sums[] = {model.particle_kg, model.hourglass_n_per_m, model.step_per_mass};
-  for (float* of_particles : sums) sum_tied(model, counts, of_particles);
+  for (float* of_particles : sums) sum_tied(model, of_particles);
 }
 
 // Voxels in which two tissues meet.

@@ -15,7 +15,8 @@
 //     9  bend      a tip in contact once more, by its pressing force;    IV.B, 4     6.4
 //                  a tip that has just left its hole looks for the surface again     7
 //   for all together
-//     10 tissue    shape matching, CPs included, substep by substep      IV.B, 2     10.2, 2, 3
+//     10 tissue    parts that slide press on each other; shape           IV.B, 2     2.8, 10.2,
+//                  matching, CPs included: substep by substep                        2, 3
 //   for each needle
 //     11 slip      CPs that the tissue dragged along slip once more                  12.6
 //     12 bend      by the new forces                                     IV.B, 4     6.4

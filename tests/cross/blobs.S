@@ -30,6 +30,8 @@ blob blob_elastic, elastic.bin
 blob blob_added_mass, added_mass.bin
 blob blob_stiffening_organ, stiffening_organ.bin
 blob blob_stiffening, stiffening.bin
+blob blob_sliding_organ, sliding_organ.bin
+blob blob_sliding, sliding.bin
 #if defined(__linux__)
 .section .note.GNU-stack, "", %progbits
 #endif

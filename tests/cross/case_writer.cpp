@@ -10,6 +10,7 @@
 
 #include "case.h"
 #include "session.h"
+#include "two_parts.h"
 
 namespace stylet::test {
 namespace {
@@ -57,11 +58,14 @@ int main(int argc, char** argv) {
   const auto opened = block_organ(6, 6, 8);
   const auto stiffening = block_organ(6, 6, 8, kStiffening);
   write_organ(folder + "/organ.bin", *opened);
+  const auto sliding = sliding_organ();
   write_organ(folder + "/stiffening_organ.bin", *stiffening);
+  write_organ(folder + "/sliding_organ.bin", *sliding);
   for (const Setup setup : kSetups) {
     write_case(folder + "/" + setup_name(setup) + ".bin", opened->organ, config_of(setup),
                obstacles_of(opened->organ, setup));
   }
   write_case(folder + "/stiffening.bin", stiffening->organ, stiffening_config(), {});
+  write_case(folder + "/sliding.bin", sliding->organ, sliding_config(), {});
   return 0;
 }

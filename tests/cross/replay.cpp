@@ -18,6 +18,8 @@ extern const std::byte blob_elastic[], blob_elastic_end[];
 extern const std::byte blob_added_mass[], blob_added_mass_end[];
 extern const std::byte blob_stiffening_organ[], blob_stiffening_organ_end[];
 extern const std::byte blob_stiffening[], blob_stiffening_end[];
+extern const std::byte blob_sliding_organ[], blob_sliding_organ_end[];
+extern const std::byte blob_sliding[], blob_sliding_end[];
 }
 
 namespace stylet::test {
@@ -26,7 +28,7 @@ namespace {
 // What 288 voxels need; `create` refuses if it is too little.
 alignas(kBlockAlignment) std::byte model[128 * 1024];
 alignas(kBlockAlignment) std::byte state[192 * 1024];
-alignas(kBlockAlignment) std::byte scratch[320 * 1024];
+alignas(kBlockAlignment) std::byte scratch[336 * 1024];
 alignas(8) std::byte saved[sizeof state + 64];
 
 struct Blob {
@@ -39,7 +41,8 @@ constexpr Blob kCases[] = {
     {"elastic", blob_elastic, blob_elastic_end, blob_organ, blob_organ_end},
     {"added_mass", blob_added_mass, blob_added_mass_end, blob_organ, blob_organ_end},
     {"stiffening", blob_stiffening, blob_stiffening_end, blob_stiffening_organ,
-     blob_stiffening_organ_end}};
+     blob_stiffening_organ_end},
+    {"sliding", blob_sliding, blob_sliding_end, blob_sliding_organ, blob_sliding_organ_end}};
 
 std::span<const std::byte> bytes_of(const std::byte* begin, const std::byte* end) {
   return {begin, static_cast<std::size_t>(end - begin)};

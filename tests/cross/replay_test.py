@@ -31,7 +31,8 @@ def first_difference(here, there, name, case, tests_build):
         path = tests_build / f"{case}-{tick}-{place}.state"
         path.write_text("\n".join(replay("state", tick)))
         states.append(path)
-    organ = "stiffening_organ.bin" if case == "stiffening" else "organ.bin"
+    own = tests_build / "cases" / f"{case}_organ.bin"
+    organ = own.name if own.exists() else "organ.bin"
     field = subprocess.run(
         [tests_build.parents[1] / "bin/stylet_field", tests_build / "cases" / organ,
          tests_build / f"cases/{case}.bin", *states], capture_output=True, text=True)

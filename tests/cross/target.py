@@ -8,7 +8,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import wine  # noqa: E402
 
-CASES = ("physical", "paper", "elastic", "added_mass", "stiffening")
+CASES = ("physical", "paper", "elastic", "added_mass", "stiffening", "sliding")
 SKIPPED = 77
 # Name -> (compiler, what runs the program; the board runs it as its kernel).
 BOARD = ["qemu-system-arm", "-M", "mps2-an500", "-nographic", "-monitor", "none", "-serial", "none",

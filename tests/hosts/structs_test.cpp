@@ -189,7 +189,8 @@ TEST_F(Structs, FilledForAnyCaller) {
        {offsetof(stylet_energy, friction_j), sizeof stylet_energy::friction_j},
        {offsetof(stylet_energy, cutting_j), sizeof stylet_energy::cutting_j},
        {offsetof(stylet_energy, relaxation_j), sizeof stylet_energy::relaxation_j},
-       {offsetof(stylet_energy, obstacles_j), sizeof stylet_energy::obstacles_j}},
+       {offsetof(stylet_energy, obstacles_j), sizeof stylet_energy::obstacles_j},
+       {offsetof(stylet_energy, sliding_j), sizeof stylet_energy::sliding_j}},
       [this](stylet_energy* out) { return stylet_simulation_get_energy(simulation_, out); });
   expect_any_size_is_filled<stylet_output>(
       {{offsetof(stylet_output, tick), sizeof stylet_output::tick},

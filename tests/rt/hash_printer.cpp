@@ -8,6 +8,7 @@
 
 #include "helper_threads.h"
 #include "session.h"
+#include "two_parts.h"
 #include "variants.h"
 
 namespace stylet::test {
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
       argc > 2 ? static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10)) : 0;
   const auto opened = test::block_organ(10, 10, 10);
   const auto stiffening = test::block_organ(10, 10, 10, test::kStiffening);
+  const auto sliding = test::sliding_organ();
   std::vector<test::Variant> variants = test::variants_here();
   if (helpers > 0) variants = {variants.back()};
   for (const test::Variant& variant : variants) {
@@ -45,9 +47,12 @@ int main(int argc, char** argv) {
       test::print_hashes(opened->organ, test::make_session(opened->organ, setup),
                          test::config_of(setup), setup_name(setup), variant, ticks, helpers);
     }
-    const Config config = test::stiffening_config();
-    test::print_hashes(stiffening->organ, test::make_session(stiffening->organ, config), config,
-                       "stiffening", variant, ticks, helpers);
+    const auto print = [&](const Organ& organ, const Config& config, const char* name) {
+      test::print_hashes(organ, test::make_session(organ, config), config, name, variant, ticks,
+                         helpers);
+    };
+    print(stiffening->organ, test::stiffening_config(), "stiffening");
+    print(sliding->organ, test::sliding_config(), "sliding");
   }
   return 0;
 }

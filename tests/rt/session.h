@@ -153,7 +153,7 @@ struct Script {
 inline Script block_script(const Organ& organ, const Config& config) {
   const float edge_m = organ.voxel_edge_m;
   return {{organ.origin_m.x + 0.5F * static_cast<float>(organ.size_x) * edge_m,
-           organ.origin_m.y + 0.5F * static_cast<float>(organ.size_y) * edge_m,
+           organ.origin_m.y + 0.5F * static_cast<float>(organ.sheet_rows) * edge_m,
            organ.origin_m.z + static_cast<float>(organ.size_z) * edge_m},
           config.needle[0].length_m};
 }

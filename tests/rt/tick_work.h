@@ -34,6 +34,8 @@ constexpr Price kPrices[] = {
     {"padded particle and substep", 21},
     {"voxel row and substep", 281},
     {"tie and substep", 125},
+    {"point of a surface that slides and substep", 1900},
+    {"padded particle and substep where parts slide", 16},
     {"padded voxel and pass of the filter", 11},
     {"padded particle and pass of the filter", 12},
     {"voxel row and pass of the filter", 140},
@@ -61,6 +63,8 @@ enum Amount : std::uint32_t {  // in the order of the prices
   kNodes,
   kRows,
   kTies,
+  kSlidePoints,
+  kSlidParticles,
   kFilteredSlots,
   kFilteredNodes,
   kFilteredRows,
@@ -212,6 +216,8 @@ inline void count_work(const Kernel& kernel, Vec3 shift, TickWork& work) {
   amount[kNodes] = substeps * head.counts.particles;
   amount[kRows] = substeps * head.counts.rows;
   amount[kTies] = substeps * head.counts.ties;
+  amount[kSlidePoints] = substeps * head.counts.slide_points;
+  amount[kSlidParticles] = substeps * head.counts.slid_particles;
   add_filter(view, amount);
   const std::uint32_t voxels = view.scratch.head->coupled_count;
   amount[kCoupled] = substeps * voxels;

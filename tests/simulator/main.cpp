@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plays random sessions until there are enough ticks, or the one session of a seed. usage:
 // stylet-simulator [--seed FIRST] [--sessions COUNT | --ticks TICKS] [--each] [--added-mass]
-// [--procedures] [--stiffening] [--toughness] [--membranes]
+// [--procedures] [--stiffening] [--toughness] [--membranes] [--sliding]
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -52,6 +52,8 @@ Options parse(int argc, char** argv) {
       options.further.toughness = true;
     } else if (name == "--membranes") {
       options.further.membranes = true;
+    } else if (name == "--sliding") {
+      options.further.sliding = true;
     } else if (i + 1 < argc && name == "--seed") {
       options.seed = number(argv[++i]);
     } else if (i + 1 < argc && name == "--sessions") {
@@ -62,7 +64,7 @@ Options parse(int argc, char** argv) {
       std::fprintf(stderr,
                    "%s: expected --seed N, --sessions N, --ticks N, --each, "
                    "--added-mass, --procedures, --stiffening, "
-                   "--toughness or --membranes\n",
+                   "--toughness, --membranes or --sliding\n",
                    argv[i]);
       std::exit(2);
     }
@@ -86,12 +88,12 @@ int report_failure(const Verdict& v, const Options& options, std::uint64_t seed,
                    const char* program) {
   std::printf("seed %llu, tick %llu: %s (observer %.3g J)\n", static_cast<unsigned long long>(seed),
               static_cast<unsigned long long>(v.tick), v.broken, v.observer_min_j);
-  std::printf("again: %s --seed %llu%s%s%s%s%s\nat commit: ", program,
-              static_cast<unsigned long long>(seed), options.added_mass ? " --added-mass" : "",
-              options.procedures ? " --procedures" : "",
-              options.further.stiffening ? " --stiffening" : "",
-              options.further.toughness ? " --toughness" : "",
-              options.further.membranes ? " --membranes" : "");
+  std::printf(
+      "again: %s --seed %llu%s%s%s%s%s%s\nat commit: ", program,
+      static_cast<unsigned long long>(seed), options.added_mass ? " --added-mass" : "",
+      options.procedures ? " --procedures" : "", options.further.stiffening ? " --stiffening" : "",
+      options.further.toughness ? " --toughness" : "",
+      options.further.membranes ? " --membranes" : "", options.further.sliding ? " --sliding" : "");
   std::fflush(stdout);
   if (std::system("git -C " STYLET_SOURCE " describe --always --dirty") != 0) std::printf("?\n");
   return 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/math.h"
+#include "two_parts.h"
 
 namespace stylet::test {
 namespace {
@@ -14,6 +15,7 @@ constexpr std::uint64_t kProcedures = 1ULL << 48U;
 constexpr std::uint64_t kStiffening = 1ULL << 49U;
 constexpr std::uint64_t kMembranes = 1ULL << 50U;
 constexpr std::uint64_t kToughness = 1ULL << 51U;
+constexpr std::uint64_t kSliding = 1ULL << 52U;
 
 TinyMaterial draw_material(Draw& draw) {
   TinyMaterial m;
@@ -58,9 +60,28 @@ void draw_membranes(Draw& draw, TinyOrgan& tiny) {
   }
 }
 
+// Cuts the organ in two along a plane, more or less level; the parts slide on each other, and both
+// are held from two sides. Some have a gap between them.
+void draw_sliding(Draw& draw, TinyOrgan& tiny) {
+  TwoParts parts;
+  parts.floor_x = parts.lid_x = tiny.nx;
+  parts.floor_y = parts.lid_y = tiny.ny;
+  parts.height = tiny.nz;
+  parts.voxel_edge_m = tiny.voxel_edge_m;
+  parts.slope_x = draw.between(-0.2, 0.2);
+  parts.slope_y = draw.between(-0.2, 0.2);
+  parts.plane = static_cast<float>(tiny.nz) * draw.between(0.35, 0.75) -
+                0.5F * (parts.slope_x * static_cast<float>(tiny.nx) +
+                        parts.slope_y * static_cast<float>(tiny.ny));
+  if (draw.chance(0.3)) parts.gap = draw.between(0, 0.3);
+  parts.friction = draw.between(0, 0.8);
+  tiny.fixed_faces |= kLowX | kHighX;
+  make_two_parts(parts, tiny);
+}
+
 // Layers along z, held from below and perhaps from the sides. How fast they stiffen, how tough they
-// are, and membranes are from seeds of their own: the session is otherwise that of the same seed
-// without.
+// are, membranes, and parts that slide are from seeds of their own: the session is otherwise that
+// of the same seed without.
 std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, Further has, std::uint64_t seed) {
   TinyOrgan tiny;
   for (std::uint16_t* size : {&tiny.nx, &tiny.ny, &tiny.nz}) {
@@ -92,6 +113,8 @@ std::unique_ptr<OpenOrgan> draw_organ(Draw& draw, Further has, std::uint64_t see
   }
   Draw of_membranes(~(seed ^ kMembranes));
   if (has.membranes) draw_membranes(of_membranes, tiny);
+  Draw of_sliding(~(seed ^ kSliding));
+  if (has.sliding) draw_sliding(of_sliding, tiny);
   return open_organ(tiny_organ(tiny));
 }
 
@@ -132,7 +155,7 @@ Config draw_config(Draw& draw) {
 Vec3 inside(Draw& draw, const Organ& organ, double low_z, double high_z) {
   const float edge = organ.voxel_edge_m;
   return {organ.origin_m.x + edge * static_cast<float>(organ.size_x) * draw.between(0.1, 0.9),
-          organ.origin_m.y + edge * static_cast<float>(organ.size_y) * draw.between(0.1, 0.9),
+          organ.origin_m.y + edge * static_cast<float>(organ.sheet_rows) * draw.between(0.1, 0.9),
           organ.origin_m.z + edge * static_cast<float>(organ.size_z) * draw.between(low_z, high_z)};
 }
 

@@ -48,9 +48,9 @@ struct Scenario {
 };
 
 // What a session has besides: tissues that stiffen with their strain; tissues whose forces follow
-// from a toughness, and which are cut sideways; membranes across the layers.
+// from a toughness, and which are cut sideways; membranes across the layers; parts that slide.
 struct Further {
-  bool stiffening = false, toughness = false, membranes = false;
+  bool stiffening = false, toughness = false, membranes = false, sliding = false;
 };
 Scenario draw_scenario(std::uint64_t seed, Further further = {});
 // What a hand does on purpose: every needle goes in, rests, moves sideways and back, goes deeper

@@ -579,8 +579,14 @@ void come_to_rest(Simulation& s) {
   // A violent hand may have pushed a needle through the organ up to its hub and swept the tip
   // aside.
   if (!all_outside(s.session.kernel)) leave(s, kLeaveM + longest_needle_m(s.scenario.config));
+  // Friction may hold parts that slide where they were dragged to: they do not move on.
+  const bool stays = has_slides(view_of(s.session.kernel).model);
+  double before_m = std::numeric_limits<double>::max();
   while (s.verdict.broken == nullptr && s.verdict.rest_s < kLongestRestS) {
-    if (all_outside(s.session.kernel) && largest_displacement(s.session.kernel) < kAtRestM) return;
+    const double now_m = largest_displacement(s.session.kernel);
+    const double left_m = stays ? std::abs(now_m - before_m) : now_m;
+    if (all_outside(s.session.kernel) && left_m < kAtRestM) return;
+    before_m = now_m;
     run_ticks(s, static_cast<std::uint64_t>(0.1 / period_s));
     s.verdict.rest_s += 0.1;
   }

@@ -69,6 +69,14 @@ struct TinyOrgan {
   std::vector<format::Mixed> mixed;
   std::vector<TinyMembrane> membranes;  // by rising material
   std::uint32_t fixed_faces = 0;        // Face bits: the corners on these faces never move
+  std::uint16_t sheet_rows = 0;         // of each sheet; 0: one sheet
+  // How much of a voxel is filled, 255: all, and whether its free faces are part of the surface;
+  // empty: all of them.
+  std::function<std::uint8_t(std::uint16_t, std::uint16_t, std::uint16_t)> fill_at;
+  std::function<bool(std::uint16_t, std::uint16_t, std::uint16_t)> has_surface;
+  std::vector<format::Part> parts;  // of voxels that share a cell
+  std::vector<format::SlidePoint> slide_points;
+  std::vector<format::SlideGround> slide_grounds;
 };
 
 namespace detail {
@@ -157,8 +165,10 @@ inline Surface surface_of(const TinyOrgan& organ) {
       for (at[0] = 0; at[0] < size[0]; ++at[0]) {
         if (!has_voxel(organ, at[0], at[1], at[2])) continue;
         Leaf leaf{{}, static_cast<std::uint32_t>(surface.triangles.size()), 0};
+        const int in_space[3] = {at[0], organ.sheet_rows > 0 ? at[1] % organ.sheet_rows : at[1],
+                                 at[2]};
         for (int a = 0; a < 3; ++a) {
-          leaf.box.low[a] = origin[a] + static_cast<float>(at[a]) * organ.voxel_edge_m;
+          leaf.box.low[a] = origin[a] + static_cast<float>(in_space[a]) * organ.voxel_edge_m;
           leaf.box.high[a] = leaf.box.low[a] + organ.voxel_edge_m;
         }
         for (int axis = 0; axis < 3; ++axis) {
@@ -166,6 +176,7 @@ inline Surface surface_of(const TinyOrgan& organ) {
             int beside[3] = {at[0], at[1], at[2]};
             beside[axis] += side == 0 ? -1 : 1;
             if (has_voxel(organ, beside[0], beside[1], beside[2])) continue;
+            if (organ.has_surface && !organ.has_surface(at[0], at[1], at[2])) continue;
             const auto base = static_cast<std::uint32_t>(surface.vertices.size());
             const int u = (axis + 1) % 3, v = (axis + 2) % 3;
             for (int corner = 0; corner < 4; ++corner) {
@@ -264,7 +275,7 @@ inline flatbuffers::Offset<format::Material> material_of(flatbuffers::FlatBuffer
 inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
   flatbuffers::FlatBufferBuilder builder;
   std::vector<format::Run> runs;
-  std::vector<std::uint8_t> material, fixed;
+  std::vector<std::uint8_t> material, fill, fixed;
   for (std::uint16_t z = 0; z < organ.nz; ++z) {
     for (std::uint16_t y = 0; y < organ.ny; ++y) {
       std::uint16_t length = 0;
@@ -272,6 +283,7 @@ inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
         if (!detail::has_voxel(organ, x, y, z)) continue;
         ++length;
         material.push_back(organ.material_at ? organ.material_at(x, y, z) : std::uint8_t{0});
+        fill.push_back(organ.fill_at ? organ.fill_at(x, y, z) : std::uint8_t{255});
         fixed.push_back(detail::fixed_corners(organ, x, y, z));
         if (detail::has_voxel(organ, x + 1, y, z)) continue;
         runs.emplace_back(static_cast<std::uint16_t>(x + 1 - length), y, z, length);
@@ -279,24 +291,32 @@ inline std::vector<std::byte> tiny_organ(const TinyOrgan& organ) {
       }
     }
   }
-  const std::vector<std::uint8_t> fill(material.size(), 255);
   if (organ.fixed_faces == 0) fixed.clear();
   std::vector<flatbuffers::Offset<format::Material>> materials;
   for (const TinyMaterial& m : organ.materials) {
     materials.push_back(detail::material_of(builder, m));
   }
   const detail::Surface surface = detail::surface_of(organ);
-  const bool has_membranes = !organ.membranes.empty();
-  const auto membranes = has_membranes ? detail::membranes_of(builder, organ)
-                                       : flatbuffers::Offset<format::Membranes>();
+  const bool has_membranes = !organ.membranes.empty(), slides = !organ.slide_points.empty();
+  const bool has_sheets = organ.sheet_rows > 0;
+  flatbuffers::Offset<format::Membranes> membranes;
+  flatbuffers::Offset<format::Sheets> sheets;
+  flatbuffers::Offset<format::Slides> slide;
+  if (has_membranes) membranes = detail::membranes_of(builder, organ);
+  if (has_sheets)
+    sheets = format::CreateSheetsDirect(builder, organ.sheet_rows, nullptr, &organ.parts);
+  if (slides) {
+    slide = format::CreateSlidesDirect(builder, &organ.slide_points, &organ.slide_grounds);
+  }
+  const std::uint32_t plain = organ.mixed.empty() && !has_sheets ? 1 : 2;
   format::FinishOrganBuffer(
       builder,
       format::CreateOrganDirect(
-          builder, has_membranes ? 3 : (organ.mixed.empty() ? 1 : 2), "tiny", organ.voxel_edge_m,
+          builder, slides ? 4 : (has_membranes ? 3 : plain), "tiny", organ.voxel_edge_m,
           organ.origin_m.x, organ.origin_m.y, organ.origin_m.z, organ.nx, organ.ny, organ.nz, &runs,
           &material, &fill, fixed.empty() ? nullptr : &fixed, &materials, &surface.vertices,
-          &surface.triangles, &surface.nodes, 0, organ.mixed.empty() ? nullptr : &organ.mixed, 0,
-          nullptr, membranes));
+          &surface.triangles, &surface.nodes, 0, organ.mixed.empty() ? nullptr : &organ.mixed,
+          sheets, nullptr, membranes, slide));
   const auto* bytes = reinterpret_cast<const std::byte*>(builder.GetBufferPointer());
   return {bytes, bytes + builder.GetSize()};
 }

@@ -154,7 +154,7 @@ stylet_status stylet_simulation_get_energy(const stylet_simulation* simulation,
   if (status == STYLET_OK) {
     const Energy e = energy(simulation->kernel);
     out = {0,          0,         e.elastic,    e.kinetic,  e.coupling, e.bending, e.work_by_hand,
-           e.friction, e.cutting, e.relaxation, e.obstacles};
+           e.friction, e.cutting, e.relaxation, e.obstacles, e.sliding};
   }
   return c::give(out, energy_out) ? status : stylet_status{STYLET_STRUCT_SIZE_UNKNOWN};
 }

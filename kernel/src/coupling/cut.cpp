@@ -17,6 +17,8 @@ namespace {
 
 // The tip reaches the material at its goal within this length of travel.
 constexpr float kMaterialPullM = 1e-3F;
+// The same where parts slide: behind their face lies another place than at rest, at once. With the
+// length above, a tip that crosses parts which have slid by two voxels lags for 3 mm.
 constexpr float kSlidPullM = 1e-5F;
 
 }  // namespace
@@ -46,7 +48,6 @@ void advance_tip(const Model& model, State& state, Particle& tip, Vec3 direction
   if (tip.support_count == 0 || !present_place(model, state, tip.rest_m, present)) return;
   const Vec3 off = (tip.position_m - residual(tip)) - present;
   const float size = move_m < 0 ? -move_m : move_m;
-  // Parts that have slid: the place beyond their face is another than at rest, at once.
   const float pull_m = has_slides(model) ? kSlidPullM : kMaterialPullM;
   Vec3 miss = (size / (size + pull_m)) * pull_back_step(model, g, off);
   miss = free_part(model, state, miss).clear * miss;

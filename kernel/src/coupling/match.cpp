@@ -109,12 +109,7 @@ void bound_held(const Model& model, const State& state, Scratch& scratch) {
       sums[node + voxel.slot - row.slot + 1] += more;
     }
   }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    sums[model.tie[i].representative] += sums[model.tie[i].node];
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    sums[model.tie[i].node] = sums[model.tie[i].representative];
-  }
+  sum_tied(model, sums);
 }
 
 }  // namespace

@@ -10,10 +10,11 @@ namespace stylet {
 namespace {
 
 // Stiffness of a point over that of the softer part's voxel: so pressed parts come nearer to each
-// other by a tenth of what a voxel of them is compressed.
-constexpr float kContactStiffness = 10.0F;
-// What contact may add to the bound on a particle's stiffness, in parts of what its voxels have.
-// More would cost passes of the filter everywhere. Where voxels are slivers, and where a fold
+// other by a quarter of what a voxel of them is compressed. The room that the step leaves for it
+// is inertia that surfaces have at every moment (add_slide_room): ten times would be thrice that.
+constexpr float kContactStiffness = 4.0F;
+// What contact may add to the bound on a particle's stiffness at most, in parts of what its voxels
+// have. More would cost passes of the filter everywhere. Where voxels are slivers, and where a fold
 // brings many points to one voxel, contact is softer instead.
 constexpr float kRoom = 0.5F;
 // A ground that is compressed to less than half makes depths steeper. Beyond, the slope is held.
@@ -52,18 +53,17 @@ Places damped(const State& state) {
 
 // A place of a ground now.
 struct Seen {
-  Weights weights;
   Vec3 at_m;
   Mat3 gradient;  // of the place now, by the place at rest
 };
 Seen see(const SlideGround& ground, Vec3 place, float edge_m, const Places& places) {
   Seen out;
-  out.weights = weights_at(place);
+  const Weights weights = weights_at(place);
   Vec3 moved = {};
   Mat3 d = {};
   for (std::uint32_t i = 0; i < 8; ++i) {
-    const Vec3 u = places.of(ground.node[i]), s = out.weights.slope[i];
-    moved = moved + out.weights.of[i] * u;
+    const Vec3 u = places.of(ground.node[i]), s = weights.slope[i];
+    moved = moved + weights.of[i] * u;
     const float of_u[3] = {u.x, u.y, u.z}, along[3] = {s.x, s.y, s.z};
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) d.m[a][b] += of_u[a] * along[b];
@@ -136,30 +136,29 @@ Outside outside(const SlideGround& ground, const Weights& weights, float edge_m)
   return out;
 }
 
-// Follows a point through the ground: one Newton step from where it was a substep ago.
+// Follows a point through the ground: one Newton step from where it was a substep ago. The slope is
+// turned with the gradient there: a gradient at the new place would cost a third more.
 SlideContact meet(const Model& model, const SlidePoint& point, const Places& places,
                   SlideState& own) {
   const float edge_m = model.head->edge_m;
-  const Vec3 at_m = place_of(point, places);
   SlideContact out = {};
   Mat3 back = {};  // from now to rest
   const Seen before = see(model.ground[own.ground], own.place, edge_m, places);
-  const Vec3 slip_m = at_m - before.at_m;
+  const Vec3 slip_m = place_of(point, places) - before.at_m;
   if (!invert(before.gradient, back)) return out;
   const Vec3 step = (1 / edge_m) * (back * slip_m);
   own.place = own.place + Vec3{clamp(step.x, -1, 1), clamp(step.y, -1, 1), clamp(step.z, -1, 1)};
   enter_voxel(model, own.ground, own.place);
   own.place = settle(own.place);
-  const SlideGround& ground = model.ground[own.ground];
-  const Seen now = see(ground, own.place, edge_m, places);
-  if (is_beside(own.place) || !invert(now.gradient, back)) return out;
-  const Outside off = outside(ground, now.weights, edge_m);
+  if (is_beside(own.place)) return out;
+  const Weights weights = weights_at(own.place);
+  const Outside off = outside(model.ground[own.ground], weights, edge_m);
   out.slope = transposed_times(back, off.slope);
   const float steep = norm(out.slope);
   if (!(steep > 0)) return out;
   if (steep > kSteepest) out.slope = (kSteepest / steep) * out.slope;
   out.depth_m = max_of(point.rest_outside_m - off.m, 0);
-  for (std::uint32_t i = 0; i < 8; ++i) out.weight[i] = now.weights.of[i];
+  for (std::uint32_t i = 0; i < 8; ++i) out.weight[i] = weights.of[i];
   const Vec3 normal = (1 / norm(out.slope)) * out.slope;
   out.slip_m = slip_m - dot(normal, slip_m) * normal;
   return out;
@@ -190,32 +189,33 @@ void each_bound(const Model& model, const SlidePoint& point, const SlideState& o
   }
 }
 
+double stored_j(float stiffness_n_per_m, Vec3 stretch_m) {
+  return 0.5 * static_cast<double>(stiffness_n_per_m) *
+         static_cast<double>(dot(stretch_m, stretch_m));
+}
+
 // The force on the point; slips what is beyond the limit of friction.
 Vec3 press(const SlidePoint& point, const SlideContact& c, float share, SlideState& own,
            SlideBooks& books) {
   const float k = share * point.stiffness_n_per_m;
   const Vec3 pushed_n = (k * c.depth_m) * c.slope;
-  const float size = norm(c.slope), limit_n = point.friction * norm(pushed_n);
-  const Vec3 normal = (1 / size) * c.slope;
+  const Vec3 normal = (1 / norm(c.slope)) * c.slope;
+  const float limit_n = point.friction * norm(pushed_n);
   // The spring along the surface goes with the ground's material.
   const Vec3 carried = own.stretch_m - dot(normal, own.stretch_m) * normal;
-  Vec3 stretch_m = carried + c.slip_m;
-  const float pull_n = k * norm(stretch_m);
-  if (pull_n > limit_n) {
-    const float kept = limit_n / pull_n;
-    books.friction_j += 0.5 * static_cast<double>(k * (1 - kept * kept)) *
-                        static_cast<double>(dot(stretch_m, stretch_m));
-    stretch_m = kept * stretch_m;
-  }
-  own.stretch_m = settle(stretch_m);
+  const Vec3 stretched = carried + c.slip_m;
+  const float pull_n = k * norm(stretched);
+  const Vec3 kept = pull_n > limit_n ? (limit_n / pull_n) * stretched : stretched;
+  books.friction_j += stored_j(own.stiffness_n_per_m, own.stretch_m) - stored_j(k, carried);
+  books.friction_j += stored_j(k, stretched) - stored_j(k, kept);
+  own.stretch_m = settle(kept);
   own.stiffness_n_per_m = k;
   return pushed_n - k * own.stretch_m;
 }
 
 // Nothing holds the point any more.
 void part(SlideState& own, SlideBooks& books) {
-  books.friction_j += 0.5 * static_cast<double>(own.stiffness_n_per_m) *
-                      static_cast<double>(dot(own.stretch_m, own.stretch_m));
+  books.friction_j += stored_j(own.stiffness_n_per_m, own.stretch_m);
   own.stretch_m = {};
   own.stiffness_n_per_m = 0;
 }
@@ -231,6 +231,17 @@ void add_force(const Model& model, const SlidePoint& point, const SlideState& ow
       to[point.node[i]] += point.weight[i] * of[a];
       to[ground.node[i]] -= c.weight[i] * of[a];
     }
+  }
+}
+
+Vec3 within(Vec3 place) {
+  return {clamp(place.x, 0, 1), clamp(place.y, 0, 1), clamp(place.z, 0, 1)};
+}
+
+template <typename Visit>
+void for_each_ground_node(const Model& model, Visit visit) {
+  for (std::uint32_t i = 0; i < model.head->counts.grounds; ++i) {
+    for (const std::uint32_t node : model.ground[i].node) visit(node);
   }
 }
 
@@ -334,26 +345,30 @@ void fill_slides(const Organ& organ, Model& model) {
   fill_points(organ, model);
 }
 
+// What contact needs where the parts lie on each other as they do at rest. The room is there from
+// the start, touching or not: a particle whose inertia fell when it let go would be thrown.
 void add_slide_room(Model& model, float* bound_io) {
   const Counts& counts = model.head->counts;
-  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) model.slide_room[i] = 0;
-  const auto give = [&](std::uint32_t node) { model.slide_room[node] = kRoom * bound_io[node]; };
+  if (!has_slides(model)) return;
+  float* const room = model.slide_room;
+  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) room[i] = 0;
   for (std::uint32_t i = 0; i < counts.slide_points; ++i) {
-    for (const std::uint32_t node : model.slide_point[i].node) give(node);
+    const SlidePoint& point = model.slide_point[i];
+    const SlideGround& ground = model.ground[point.ground];
+    const Weights there = weights_at(within(point.place));
+    for (std::uint32_t n = 0; n < 8; ++n) {
+      room[point.node[n]] += bound_of(point.stiffness_n_per_m, point.weight[n], 1);
+      room[ground.node[n]] += bound_of(point.stiffness_n_per_m, there.of[n], 1);
+    }
   }
-  for (std::uint32_t i = 0; i < counts.grounds; ++i) {
-    for (const std::uint32_t node : model.ground[i].node) give(node);
+  sum_tied(model, room);
+  float most = 0;  // points may come to any of the ground's particles
+  for_each_ground_node(model, [&](std::uint32_t node) { most = max_of(most, room[node]); });
+  for_each_ground_node(model, [&](std::uint32_t node) { room[node] = most; });
+  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) {
+    room[i] = min_of(room[i], kRoom * bound_io[i]);
+    bound_io[i] += room[i];
   }
-  if (counts.slid_particles == 0) return;
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // one particle, one room
-    const TiedNode& tie = model.tie[i];
-    const float room = max_of(model.slide_room[tie.node], model.slide_room[tie.representative]);
-    model.slide_room[tie.representative] = room;
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    model.slide_room[model.tie[i].node] = model.slide_room[model.tie[i].representative];
-  }
-  for (std::uint32_t i = 0; i < counts.slid_particles; ++i) bound_io[i] += model.slide_room[i];
 }
 
 void reset_slides(const Model& model, State& state) {
@@ -380,12 +395,7 @@ void press_slides(const Model& model, State& state, Scratch& scratch) {
       part(state.slide[i], *state.slide_books);
     }
   }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // one particle
-    use[model.tie[i].representative] += use[model.tie[i].node];
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    use[model.tie[i].node] = use[model.tie[i].representative];
-  }
+  sum_tied(model, use);
   for (std::uint32_t i = 0; i < counts.slide_points; ++i) {
     const SlideContact& c = scratch.slide_contact[i];
     if (!(c.depth_m > 0)) continue;
@@ -408,9 +418,8 @@ double slides_energy(const Model& model, const State& state) {
   for (std::uint32_t i = 0; i < model.head->counts.slide_points; ++i) {
     SlideState own = state.slide[i];
     const SlideContact c = meet(model, model.slide_point[i], places, own);
-    const double k = static_cast<double>(own.stiffness_n_per_m);
-    sum += 0.5 * k * static_cast<double>(c.depth_m) * static_cast<double>(c.depth_m);
-    sum += 0.5 * k * static_cast<double>(dot(own.stretch_m, own.stretch_m));
+    sum += stored_j(own.stiffness_n_per_m, {c.depth_m, 0, 0}) +
+           stored_j(own.stiffness_n_per_m, own.stretch_m);
   }
   return sum;
 }

@@ -164,6 +164,7 @@ STYLET_KEEP_APART void sum_tiles(const Tile* tile, const Tile* end, const float*
     for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
       const bool within = i + kNarrow < kTile;
       const Narrow b = load_narrow(bounds + 2 * kTile + i);
+      STYLET_UNROLL
       for (std::uint32_t c = 0; c < 3; ++c) {
         const Narrow next = within ? taken.sum(i + kNarrow + c * kTile) : ahead.sum(c * kTile);
         const Narrow own = b * (here[c] + narrow_ahead(here[c], next));
@@ -217,6 +218,7 @@ inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iter
     for (std::uint32_t i = 0; i < kTile; i += kNarrow) {
       const Narrow last = by.pass.last - by.slope * load_narrow(by.bounds + (at + i));
       const Narrow per_mass = by.slope * load_narrow(by.bounds + (at + kTile + i));
+      STYLET_UNROLL
       for (std::uint32_t c = 0; c < 3; ++c) {
         const std::ptrdiff_t place = at + i + c * kTile;
         const Narrow next = last * load_narrow(by.last + place) + per_mass * got(i + c * kTile);

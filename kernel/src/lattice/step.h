@@ -296,14 +296,15 @@ void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part
   const Plane* const plane = model.plane;
   const std::uint32_t top = model.head->counts.planes;
   const std::size_t size = 3 * std::size_t{model.head->counts.particles_per_plane};
-  const std::uint32_t behind = part.up ? 0 : 1, ahead = 1 - behind;  // of a voxel plane's particles
+  const bool up = goes_up(part);
+  const std::uint32_t behind = up ? 0 : 1, ahead = 1 - behind;  // of a voxel plane's particles
   float* here = part.kept;
   float* next = nullptr;
   std::uint32_t z = part.first;
   part.fetched = part.moved = false;
   for (bool more = true; more; here = next) {
     next = scratch.force + (z + 1) % 2 * size;
-    if (part.up) {
+    if (up) {
       sweep_plane<true>(model, state, scratch, plane[z], here, next);
     } else {
       sweep_plane<false>(model, state, scratch, plane[z], next, here);
@@ -318,10 +319,10 @@ void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part
   }
   const std::uint32_t last = z + ahead;
   if (last == 0 || last == top) finish_particles(model, state, scratch, plane[last], here, motion);
-  part.begin = part.up ? part.first : z;
-  part.planes = (part.up ? z - part.first : part.first - z) + 1;
-  part.low = part.up ? part.kept : here;
-  part.high = part.up ? here : part.kept;
+  part.begin = up ? part.first : z;
+  part.planes = (up ? z - part.first : part.first - z) + 1;
+  part.low = up ? part.kept : here;
+  part.high = up ? here : part.kept;
 }
 
 Motion start_motion(const ModelHead& head) {

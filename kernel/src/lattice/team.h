@@ -84,10 +84,23 @@ inline bool take_plane(const Part& part) {
   return slab.taken.fetch_add(1, std::memory_order_relaxed) < planes;
 }
 
-// Null if nobody helps.
+// Null if nobody helps. A library that is built for one thread (STYLET_ALONE) never has a team, and
+// sweeps all planes up: the compiler then leaves out what is for a team.
+#if defined(STYLET_ALONE)
+inline Team* team_of(const Kernel&) {
+  return nullptr;
+}
+inline bool goes_up(const Part&) {
+  return true;
+}
+#else
 inline Team* team_of(const Kernel& kernel) {
   return reinterpret_cast<Team*>(reinterpret_cast<const ModelHead*>(kernel.model)->team);
 }
+inline bool goes_up(const Part& part) {
+  return part.up;
+}
+#endif
 
 // Sweeps all slabs, with every thread that is there.
 void sweep_together(const Kernel& kernel, void (*sweep)(const Kernel&, Part&));

@@ -140,6 +140,16 @@ Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row) {
   return head.origin_m + head.edge_m * (cell_of(model, slot, row) + Vec3{0.5F, 0.5F, 0.5F});
 }
 
+void sum_tied(const Model& model, float* of_node) {
+  const std::uint32_t ties = model.head->counts.ties;
+  for (std::uint32_t i = 0; i < ties; ++i) {
+    of_node[model.tie[i].representative] += of_node[model.tie[i].node];
+  }
+  for (std::uint32_t i = 0; i < ties; ++i) {
+    of_node[model.tie[i].node] = of_node[model.tie[i].representative];
+  }
+}
+
 Quat rotation_of(const float a[9], Quat start) {
   Quat q = start;
   for (int i = 0; i < 2; ++i) {

@@ -55,6 +55,9 @@ inline Vec3 cell_of(const Model& model, std::uint32_t slot, const Row& row) {
 
 Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row);
 
+// Tied nodes are one particle: each gets the sum of their values.
+void sum_tied(const Model& model, float* of_node);
+
 // The best rotation of a matrix, searched near `start`.
 Quat rotation_of(const float a[9], Quat start);
 // The same for a voxel's corners alone.

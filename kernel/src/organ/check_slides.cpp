@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "organ/check_slides.h"
 
-#include <algorithm>
-
 #include "stylet/limits.h"
 
 namespace stylet {
@@ -28,21 +26,12 @@ bool check_grounds(Checker& check, const Organ& organ) {
   return true;
 }
 
-bool is_ground(const Organ& organ, std::uint32_t voxel) {
-  const auto before = [](const OrganSlideGround& g, std::uint32_t at) { return g.voxel < at; };
-  const auto end = organ.slide_grounds.end();
-  const auto found = std::lower_bound(organ.slide_grounds.begin(), end, voxel, before);
-  return found != end && found->voxel == voxel;
-}
-
-// A part that pressed on itself would push its own voxel from two sides.
+// A point that pressed on its own voxel would push it from two sides.
 bool check_points(Checker& check, const Organ& organ) {
   for (std::size_t i = 0; i < organ.slide_points.size(); ++i) {
     const OrganSlidePoint& p = organ.slide_points[i];
     if (!check.require(p.voxel < organ.voxel_count, Status::kOrganIndexOutOfRange,
                        "slides.points.voxel", i, p.voxel, "a voxel of the lattice") ||
-        !check.require(!is_ground(organ, p.voxel), Status::kOrganIndexOutOfRange,
-                       "slides.points.voxel", i, p.voxel, "a voxel that is no ground") ||
         !check.require(p.reserved == 0, Status::kOrganValueOutOfRange, "slides.points.reserved", i,
                        p.reserved, "0") ||
         !check.require(p.area > 0 && p.area <= kMaxSlideArea, Status::kOrganValueOutOfRange,
@@ -50,6 +39,9 @@ bool check_points(Checker& check, const Organ& organ) {
                        "above 0, at most 4") ||
         !check.require(p.ground < organ.slide_grounds.size(), Status::kOrganIndexOutOfRange,
                        "slides.points.ground", i, p.ground, "an index into grounds") ||
+        !check.require(p.voxel != organ.slide_grounds[p.ground].voxel,
+                       Status::kOrganIndexOutOfRange, "slides.points.ground", i, p.ground,
+                       "the ground of another voxel than the point's") ||
         !check.in_range(p.friction, 0, kMaxSlideFriction, "slides.points.friction", i, "0 to 2")) {
       return false;
     }

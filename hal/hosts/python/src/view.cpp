@@ -110,7 +110,7 @@ py::object Simulation::energy() {
                         "coupling_j"_a = e.coupling_j, "bending_j"_a = e.bending_j,
                         "work_by_hand_j"_a = e.work_by_hand_j, "friction_j"_a = e.friction_j,
                         "cutting_j"_a = e.cutting_j, "relaxation_j"_a = e.relaxation_j,
-                        "obstacles_j"_a = e.obstacles_j));
+                        "obstacles_j"_a = e.obstacles_j, "sliding_j"_a = e.sliding_j));
 }
 
 py::tuple Simulation::mass(std::uint32_t material) {

@@ -444,6 +444,7 @@ typedef struct {
   double work_by_hand_j; /* since reset */
   /* Dissipated since reset, by constraint particles and by contacts with obstacles. */
   double friction_j, cutting_j, relaxation_j, obstacles_j;
+  double sliding_j; /* the same, by parts of the organ that slide on each other */
 } stylet_energy;
 STYLET_API stylet_status stylet_simulation_get_energy(const stylet_simulation* simulation,
                                                       stylet_energy* energy_out);

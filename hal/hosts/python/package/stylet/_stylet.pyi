@@ -99,6 +99,7 @@ class Energy:
     cutting_j: float
     relaxation_j: float
     obstacles_j: float
+    sliding_j: float
 
 class Organ:
     info: OrganInfo
