@@ -88,32 +88,41 @@ std::string material_of(const Organ& organ, std::uint32_t voxel) {
   return organ_material(organ, organ.voxel_material[voxel]).name;
 }
 
-// The corners of a voxel, each as the particle it is.
-std::vector<std::array<std::uint32_t, 3>> particles_of(const Organ& organ, const Voxel& v) {
-  std::vector<std::array<std::uint32_t, 3>> particles;
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    std::array<std::uint32_t, 3> node = {v.x + (i & 1U), v.y + (i >> 1U & 1U), v.z + (i >> 2U)};
-    for (const OrganTie& tie : organ.ties) {
-      if (tie.x == node[0] && tie.y == node[1] && tie.z == node[2]) node[1] = tie.to_y;
+using Node = std::array<std::uint32_t, 3>;
+
+// The particles of all voxels with a material.
+std::set<Node> particles_of(const Organ& organ, const std::string& material) {
+  std::map<Node, std::uint32_t> tied;
+  for (const OrganTie& tie : organ.ties) tied[{tie.x, tie.y, tie.z}] = tie.to_y;
+  std::set<Node> particles;
+  const std::vector<Voxel> voxels = voxels_of(organ);
+  for (std::uint32_t voxel = 0; voxel < voxels.size(); ++voxel) {
+    if (material_of(organ, voxel) != material) continue;
+    const Voxel& v = voxels[voxel];
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      Node node = {v.x + (i & 1U), v.y + (i >> 1U & 1U), v.z + (i >> 2U)};
+      const auto found = tied.find(node);
+      if (found != tied.end()) node[1] = found->second;
+      particles.insert(node);
     }
-    particles.push_back(node);
   }
   return particles;
 }
 
 std::size_t shared_particles(const Organ& organ, const std::string& one, const std::string& other) {
-  std::set<std::array<std::uint32_t, 3>> of_one;
-  std::size_t shared = 0;
+  const std::set<Node> of_one = particles_of(organ, one), of_other = particles_of(organ, other);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(of_other, [&](const Node& node) { return of_one.contains(node); }));
+}
+
+// A point goes from voxel to voxel of its ground within a sheet.
+std::set<std::uint32_t> sheets_of(const Organ& organ, const std::string& tissue) {
+  std::set<std::uint32_t> sheets;
   const std::vector<Voxel> voxels = voxels_of(organ);
   for (std::uint32_t i = 0; i < voxels.size(); ++i) {
-    if (material_of(organ, i) != one) continue;
-    for (const auto& node : particles_of(organ, voxels[i])) of_one.insert(node);
+    if (material_of(organ, i) == tissue) sheets.insert(voxels[i].y / organ.sheet_rows);
   }
-  for (std::uint32_t i = 0; i < voxels.size(); ++i) {
-    if (material_of(organ, i) != other) continue;
-    for (const auto& node : particles_of(organ, voxels[i])) shared += of_one.contains(node) ? 1 : 0;
-  }
-  return shared;
+  return sheets;
 }
 
 // Every point is in a voxel of its tissue, and every ground in one of its own.
@@ -176,6 +185,8 @@ TEST(Slides, PlanesInAnyDirection) {
     const Organ organ = opened(built.bytes);
     EXPECT_EQ(organ.format_version, 4U);
     EXPECT_EQ(shared_particles(organ, "kidney", "muscle"), 0U);
+    EXPECT_THAT(sheets_of(organ, "kidney"), testing::SizeIs(1));
+    EXPECT_THAT(sheets_of(organ, "muscle"), testing::SizeIs(1));
     expect_in_their_parts(organ, "muscle", "kidney");
     EXPECT_NEAR(area_m2(organ), 60e-3 * 60e-3, 0.02 * 60e-3 * 60e-3);
     const std::vector<Voxel> voxels = voxels_of(organ);
@@ -379,7 +390,7 @@ TEST(Slides, WhatCannotBeMeantIsRefused) {
 // What touches at rest stays at rest, whatever cells the surface runs through.
 TEST(Slides, RestIsRest) {
   Draw draw(3);
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 8; ++round) {
     const auto frame = random_frame(draw);
     const double level = draw.between(-4, 4);
     const Mesh low = turned(box_mesh({-25, -25, -20}, {25, 25, level}), frame);
@@ -467,7 +478,7 @@ TEST(Slides, ANeedleCrossesAndHoldsWhatSlides) {
     EXPECT_EQ(met.size(), with_needle ? 2U : 0U);
     if (with_needle) {
       EXPECT_LT(gone_mm[1599], gone_mm[600] + 2);
-      EXPECT_NEAR(gone_mm[1599], gone_mm[1399], 0.05);
+      EXPECT_NEAR(gone_mm[1599], gone_mm[1399], 0.5);
     } else {
       EXPECT_GT(gone_mm[1599], 8);
     }
@@ -518,6 +529,38 @@ TEST(Slides, LabelsSlideAsMeshesDo) {
         volume += dot(at(t.a), cross(at(t.b), at(t.c))) / 6;
       }
       EXPECT_NEAR(volume, 48e-3 * 48e-3 * 40e-3, 0.03 * 48e-3 * 48e-3 * 40e-3);
+    }
+  }
+}
+
+// Labels in any disorder, with gaps that stay open or not: parts are apart, and the kernel takes
+// the file, which says that points are in no ground.
+TEST(Slides, AnyLabels) {
+  Draw draw(41);
+  for (int round = 0; round < 12; ++round) {
+    offline::LabelMap map = two_halves(10);
+    const double noise = draw.between(0, 1), grain = draw.between(1, 4);
+    std::vector<std::uint16_t> drawn;
+    for (int i = 0; i < 24 * 24 * 20; ++i) {
+      drawn.push_back(static_cast<std::uint16_t>(draw.below(round % 2 == 0 ? 2 : 3) + 1));
+    }
+    for (std::size_t i = 0; i < map.label.size(); ++i) {
+      const auto coarse = static_cast<std::size_t>(static_cast<double>(i) / grain);
+      if (draw.between(0, 1) < noise) map.label[i] = drawn[coarse] % 3;
+    }
+    const offline::Recipe recipe = {{}, {{"kidney", {1}}, {"muscle", {2}}}};
+    BuildOptions options = sliding(draw.between(2.5, 7), "muscle:kidney");
+    options.split = draw.coin();
+    try {
+      const auto built =
+          offline::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
+      const Organ organ = opened(built.bytes);
+      EXPECT_EQ(shared_particles(organ, "kidney", "muscle"), 0U) << round;
+      for (const OrganSlidePoint& p : organ.slide_points) {
+        ASSERT_EQ(material_of(organ, p.voxel), "muscle") << round;
+      }
+    } catch (const offline::Refusal& refused) {
+      EXPECT_THAT(refused.what(), HasSubstr("sheets")) << round;
     }
   }
 }

@@ -20,6 +20,7 @@ class Splitter {
            const Connections& connections)
       : asked_by_(connections.gaps_part ? "--split-gaps" : "--slide"),
         any_apart_(connections.apart.any()),
+        sheet_of_side_(sheets_of_sides(connections.apart)),
         lattice_(std::move(lattice)),
         cells_(claims, places, lattice_, connections) {
     remove_strays(claims);
@@ -180,14 +181,40 @@ class Splitter {
     return true;
   }
 
-  // Puts each part into the sheet with most of its neighbours, among the sheets allowed for it.
+  // What slides finds its ground's voxels one beside the other: so sides that are apart have sheets
+  // of their own, as few as that takes.
+  static std::vector<std::uint32_t> sheets_of_sides(const ApartOwners& apart) {
+    std::vector<std::uint32_t> sheet(std::max<std::size_t>(1, apart.apart_from.size()), 0);
+    for (std::size_t side = 1; side < sheet.size(); ++side) {
+      const auto is_taken = [&](std::uint32_t wanted) {
+        for (std::size_t other = 1; other < side; ++other) {
+          const bool are_apart = (apart.apart_from[side] >> other & 1U) != 0;
+          if (are_apart && sheet[other] == wanted) return true;
+        }
+        return false;
+      };
+      while (is_taken(sheet[side])) ++sheet[side];
+    }
+    return sheet;
+  }
+
+  std::uint32_t wanted_sheet(const CellPart& part) const {
+    const std::uint32_t sliding = part.sides & ~1U;
+    if (!any_apart_ || sliding == 0) return 0;
+    return sheet_of_side_[static_cast<std::size_t>(std::countr_zero(sliding))];
+  }
+
+  // Puts each part into the sheet that its side wants, or else into that with most of its
+  // neighbours, among the sheets allowed for it.
   void choose_sheets() {
-    for (CellPart& part : cells_.parts) part.sheet = part.crowded ? kNoSheet : 0;
-    std::uint32_t sheets = 1;
+    constexpr int kWanted = 1000;  // more than it can have neighbours
+    for (CellPart& part : cells_.parts) part.sheet = part.crowded ? kNoSheet : wanted_sheet(part);
+    std::uint32_t sheets = 1 + *std::ranges::max_element(sheet_of_side_);
     for (CellPart& part : cells_.parts) {
       if (part.sheet != kNoSheet) continue;
       std::vector<int> votes(sheets + 1, 0);
       votes[sheets] = -1;  // a new sheet only if no other is allowed
+      if (any_apart_) votes[wanted_sheet(part)] = kWanted;
       for (int n = 0; n < 27; ++n) {
         cells_.each_part(cells_.place_of(part.cell), step_of(n), [&](std::uint32_t j) {
           const CellPart& other = cells_.parts[j];
@@ -298,6 +325,7 @@ class Splitter {
 
   const char* asked_by_;
   bool any_apart_;
+  std::vector<std::uint32_t> sheet_of_side_;
   Lattice lattice_;
   CellParts cells_;
 };
