@@ -537,7 +537,7 @@ TEST(Slides, LabelsSlideAsMeshesDo) {
 // the file, which says that points are in no ground.
 TEST(Slides, AnyLabels) {
   Draw draw(41);
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < 6; ++round) {
     offline::LabelMap map = two_halves(10);
     const double noise = draw.between(0, 1), grain = draw.between(1, 4);
     std::vector<std::uint16_t> drawn;
