@@ -7,6 +7,7 @@
 
 #include "base/polygon.h"
 #include "meshes/near_surface.h"
+#include "stylet/limits.h"
 #include "voxels/apart.h"
 
 namespace stylet::offline {
@@ -300,9 +301,17 @@ class Slides {
       const auto part = [](double value, std::int64_t low) {
         return static_cast<std::uint16_t>(std::lround(65535 * (value - static_cast<double>(low))));
       };
-      points.push_back({own.voxel, part(there.x, own.cell[0]), part(there.y, own.cell[1]),
-                        part(there.z, own.cell[2]), 0, static_cast<float>(area), ground.voxel,
-                        static_cast<float>(pair.friction)});
+      // Crumpled surface, as noise in a map makes, is more than one point may stand for.
+      const double count = std::ceil(area / static_cast<double>(kMaxSlideArea));
+      const OrganSlidePoint point = {own.voxel,
+                                     part(there.x, own.cell[0]),
+                                     part(there.y, own.cell[1]),
+                                     part(there.z, own.cell[2]),
+                                     0,
+                                     static_cast<float>(area / count),
+                                     ground.voxel,
+                                     static_cast<float>(pair.friction)};
+      points.insert(points.end(), static_cast<std::size_t>(count), point);
     }
     return areas;
   }
