@@ -68,8 +68,8 @@ constexpr auto fields(const stylet_stats& of) {
   return spans(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
 }
 constexpr auto fields(const stylet_energy& of) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k] = of;
-  return spans(a, b, c, d, e, f, g, h, i, j, k);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = of;
+  return spans(a, b, c, d, e, f, g, h, i, j, k, l);
 }
 constexpr auto fields(const stylet_guard_config& of) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = of;
