@@ -138,6 +138,14 @@ void add_common(CLI::App& command, CommonArguments& a) {
                   "whole organ. The needle meets it where it lies. Can be given several times")
       ->type_name("MEMBRANE")
       ->allow_extra_args(false);
+  command
+      .add_option(
+          "--slide", a.slides,
+          "Two tissues of inputs that are not joined, but lie on each other, slide and come "
+          "apart: TISSUE:GROUND or TISSUE:GROUND:FRICTION, with Coulomb's coefficient, 0.1 "
+          "by default. Can be given several times")
+      ->type_name("SLIDE")
+      ->allow_extra_args(false);
   command.add_option("--materials", a.materials, "TOML file with tissues of your own")
       ->type_name("FILE");
   command

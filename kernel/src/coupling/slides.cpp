@@ -365,6 +365,13 @@ void add_slide_room(Model& model, float* bound_io) {
   float most = 0;  // points may come to any of the ground's particles
   for_each_ground_node(model, [&](std::uint32_t node) { most = max_of(most, room[node]); });
   for_each_ground_node(model, [&](std::uint32_t node) { room[node] = most; });
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // one particle, one inertia
+    float& of_both = room[model.tie[i].representative];
+    of_both = max_of(of_both, room[model.tie[i].node]);
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    room[model.tie[i].node] = room[model.tie[i].representative];
+  }
   for (std::uint32_t i = 0; i < counts.slid_particles; ++i) {
     room[i] = min_of(room[i], kRoom * bound_io[i]);
     bound_io[i] += room[i];

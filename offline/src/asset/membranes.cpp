@@ -3,40 +3,14 @@
 
 #include <map>
 
+#include "base/polygon.h"
+
 namespace stylet::offline {
 namespace {
 
 // Triangles this near to a cell count as touching it, in edges: more than the kernel searches
 // beside a needle's way, plus the rounding of points to float.
 constexpr double kTouch = 5e-3;
-
-using Polygon = std::vector<Vec>;
-
-// The part of a convex polygon where `sign` times the coordinate is at most `bound`.
-Polygon cut(const Polygon& polygon, std::size_t axis, double sign, double bound) {
-  Polygon part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-    const double over_a = sign * a[axis] - bound, over_b = sign * b[axis] - bound;
-    if (over_a <= 0) part.push_back(a);
-    if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0)) {
-      part.push_back(a + (b - a) * (over_a / (over_a - over_b)));
-    }
-  }
-  return part;
-}
-
-Polygon between(const Polygon& polygon, std::size_t axis, double low, double high) {
-  return cut(cut(polygon, axis, 1, high), axis, -1, -low);
-}
-
-double area_of(const Polygon& polygon) {
-  Vec sum;
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    sum = sum + cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
-  }
-  return length(sum) / 2;
-}
 
 using Place = std::array<std::uint32_t, 4>;  // z, y, x, material
 struct InCell {

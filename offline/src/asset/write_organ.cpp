@@ -14,7 +14,7 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3;
+constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4;
 
 // Our plain structs and the generated structs have the same bytes.
 template <typename Theirs, typename Mine>
@@ -78,6 +78,12 @@ Offset<format::Membranes> write_membranes(FlatBufferBuilder& builder, const Memb
   return format::CreateMembranes(builder, points, triangles, cells);
 }
 
+Offset<format::Slides> write_slides(FlatBufferBuilder& builder, const OrganParts& parts) {
+  const auto points = write_structs<format::SlidePoint>(builder, parts.slide_points);
+  const auto grounds = write_structs<format::SlideGround>(builder, parts.slide_grounds);
+  return format::CreateSlides(builder, points, grounds);
+}
+
 void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   std::vector<Offset<format::Material>> materials;
   for (const Tissue& t : parts.materials) {
@@ -102,16 +108,21 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const bool has_membranes = !parts.membranes.cells.empty();
   const auto membranes =
       has_membranes ? write_membranes(builder, parts.membranes) : Offset<format::Membranes>();
+  const bool has_slides = !parts.slide_points.empty();
+  const auto slides = has_slides ? write_slides(builder, parts) : Offset<format::Slides>();
+  const std::uint32_t version = has_slides      ? kWithSlides
+                                : has_membranes ? kWithMembranes
+                                                : kFormatVersion;
   const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   format::FinishOrganBuffer(
-      builder, format::CreateOrgan(builder, has_membranes ? kWithMembranes : kFormatVersion, name,
-                                   f(parts.edge_m), f(parts.origin_m.x), f(parts.origin_m.y),
-                                   f(parts.origin_m.z), u(parts.size_x),
-                                   u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs,
-                                   voxel_material, voxel_fill, voxel_fixed, material_list, vertices,
-                                   triangles, spheres, provenance, mixed, sheets, seal, membranes));
+      builder,
+      format::CreateOrgan(builder, version, name, f(parts.edge_m), f(parts.origin_m.x),
+                          f(parts.origin_m.y), f(parts.origin_m.z), u(parts.size_x),
+                          u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs, voxel_material,
+                          voxel_fill, voxel_fixed, material_list, vertices, triangles, spheres,
+                          provenance, mixed, sheets, seal, membranes, slides));
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ struct OrganParts {
   std::vector<Triangle> triangles;
   std::vector<OrganSphere> spheres;
   MembraneLists membranes;
+  std::vector<OrganSlidePoint> slide_points;
+  std::vector<OrganSlideGround> slide_grounds;
   std::string tool_version;
   std::string options;
   std::vector<SourceRecord> sources;

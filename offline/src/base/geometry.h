@@ -65,6 +65,14 @@ struct Mesh {
   std::vector<Triangle> triangles;
 };
 
+inline void add_mesh(Mesh& to, const Mesh& other) {
+  const auto base = static_cast<std::uint32_t>(to.points.size());
+  to.points.insert(to.points.end(), other.points.begin(), other.points.end());
+  for (const Triangle& t : other.triangles) {
+    to.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+}
+
 inline Box bounds(const Mesh& mesh) {
   Box box;
   for (const Vec& p : mesh.points) grow(box, p);

@@ -149,8 +149,10 @@ void read_contact(const std::string& file, const toml::table& table, Recipe& rec
     const std::string value = node.value<std::string>().value_or("");
     if (key == "touching" && value == "shared") continue;
     if (key == "touching") {
-      refuse("{}: touching: expected \"shared\": organs that touch share particles, nothing slides",
-             place_of(file, node));
+      refuse(
+          "{}: touching: expected \"shared\": organs that touch share particles; what slides is "
+          "a [[slide]]",
+          place_of(file, node));
     }
     if (key != "gaps" || (value != "open" && value != "closed")) {
       refuse("{}: {}: expected gaps = \"open\" or \"closed\", touching = \"shared\"",
@@ -204,6 +206,29 @@ std::vector<WallLayer> read_wall(const std::string& file, const toml::node& node
                     number_of(file, "thickness_mm", *thickness, kMostMm) * 1e-3});
   }
   return wall;
+}
+
+std::vector<Slide> read_slides(const std::string& file, const toml::node& node) {
+  const char* const wanted =
+      "{}: [[slide]]: expected tissue = \"NAME\" and on = \"NAME\", each, and maybe friction";
+  if (!node.is_array_of_tables()) refuse(fmt::runtime(wanted), place_of(file, node));
+  std::vector<Slide> slides;
+  for (const toml::node& each : *node.as_array()) {
+    const toml::table& table = *each.as_table();
+    const toml::node* tissue = table.get("tissue");
+    const toml::node* ground = table.get("on");
+    const toml::node* friction = table.get("friction");
+    const std::size_t known = friction == nullptr ? 2 : 3;
+    if (table.size() != known || tissue == nullptr || !tissue->is_string() || ground == nullptr ||
+        !ground->is_string()) {
+      refuse(fmt::runtime(wanted), place_of(file, each));
+    }
+    slides.push_back({*tissue->value<std::string>(), *ground->value<std::string>()});
+    if (friction == nullptr) continue;
+    slides.back().friction =
+        number_of(file, "friction", *friction, static_cast<double>(kMaxSlideFriction));
+  }
+  return slides;
 }
 
 // Refuses labels that are both obstacle and tissue, since no needle enters an obstacle.
@@ -269,12 +294,13 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
   const Source source = {file, of_map};
   Recipe recipe;
   for (const auto& [key, node] : root) {
-    constexpr std::string_view kTables[] = {"names",   "tissues",   "crop",    "surface",  "wall",
-                                            "contact", "obstacles", "targets", "membranes"};
+    constexpr std::string_view kTables[] = {"names",   "tissues",  "crop",  "surface",
+                                            "wall",    "contact",  "slide", "obstacles",
+                                            "targets", "membranes"};
     if (std::find(std::begin(kTables), std::end(kTables), key.str()) == std::end(kTables)) {
       refuse(
           "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [contact], "
-          "[obstacles], [targets] or [membranes]",
+          "[[slide]], [obstacles], [targets] or [membranes]",
           place_of(file, node), key.str());
     }
   }
@@ -283,6 +309,7 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
   if (root.contains("surface")) read_surface(file, table_of(file, root, "surface"), recipe);
   if (root.contains("contact")) read_contact(file, table_of(file, root, "contact"), recipe);
   if (root.contains("wall")) recipe.wall = read_wall(file, *root.get("wall"));
+  if (root.contains("slide")) recipe.slides = read_slides(file, *root.get("slide"));
   for (const auto& [key, list] :
        {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets},
         std::pair{"membranes", &recipe.membranes}}) {

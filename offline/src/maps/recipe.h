@@ -20,9 +20,14 @@
 //   thickness_mm = 10
 //
 //   [contact]          # optional
-//   touching = "shared"  # the only value: organs that touch share particles, nothing slides
+//   touching = "shared"  # the only value: organs that touch share particles, but see [[slide]]
 //   gaps = "open"      # parts that do not touch get voxels of their own, see voxels/sheets.h;
 //                      # or "closed"
+//
+//   [[slide]]          # optional: a tissue that is not joined to another, but slides along it
+//   tissue = "liver"
+//   on = "muscle"
+//   friction = 0.1     # optional: this is the default
 //
 //   [obstacles]        # optional: bodies no needle enters, each the convex hull of some labels
 //   rib = ["rib_right_9"]
@@ -45,6 +50,7 @@
 #include <string>
 #include <vector>
 
+#include "base/slide.h"
 #include "stylet/limits.h"
 
 namespace stylet::offline {
@@ -76,6 +82,7 @@ struct Recipe {
   std::vector<NamedLabels> obstacles = {};  // their labels are not in a tissue
   std::vector<NamedLabels> targets = {};
   std::vector<NamedLabels> membranes = {};  // by tissue
+  std::vector<Slide> slides = {};
 };
 
 // Names that the file of a label map gives to its labels; may be empty.

@@ -9,6 +9,7 @@
 #include "base/refusal.h"
 #include "pipeline/membranes.h"
 #include "pipeline/pieces.h"
+#include "pipeline/slides.h"
 #include "pipeline/voxel_materials.h"
 #include "pipeline/wrapping.h"
 #include "stylet/limits.h"
@@ -116,17 +117,19 @@ std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Claimed& c
 Mesh join(const std::vector<Solid>& solids) {
   Mesh all;
   for (const Solid& solid : solids) {
-    const auto base = static_cast<std::uint32_t>(all.points.size());
-    all.points.insert(all.points.end(), solid.surface.points.begin(), solid.surface.points.end());
-    for (const Triangle& t : solid.surface.triangles) {
-      all.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-    }
+    add_mesh(all, solid.surface);
     if (all.points.size() > kMaxVertices || all.triangles.size() > kMaxTriangles) {
       refuse("{} surface points and {} triangles: expected at most {} and {}", all.points.size(),
              all.triangles.size(), kMaxVertices, kMaxTriangles);
     }
   }
   return all;
+}
+
+std::vector<Mesh> surfaces_of(std::vector<Solid> solids) {
+  std::vector<Mesh> surfaces;
+  for (Solid& solid : solids) surfaces.push_back(std::move(solid.surface));
+  return surfaces;
 }
 
 void embed_surface(const Mesh& mesh, const Lattice& lattice, OrganParts& parts) {
@@ -303,6 +306,8 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   }
   Box box;
   std::vector<Solid> solids = make_solids(inputs, box, progress);
+  std::vector<std::string> tissues;
+  for (const Input& input : inputs) tissues.push_back(input.tissue);
   std::vector<Content> contents;
   if (options.wrap) std::ranges::transform(solids, std::back_inserter(contents), content_of);
   const double edge_m = choose_edge(box, options, [&](double each_m) {
@@ -315,9 +320,10 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
     const Grid grid = make_grid(tried_box, each_m);
     return swept_voxels({claim_voxels(grid, inputs, tried, unused, progress),
                          mesh_samples(),
-                         {},
+                         tissues,
                          tried_box,
                          join(tried),
+                         {},
                          {},
                          {},
                          {}},
@@ -334,11 +340,11 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
     measure_shares(claims, solids, built.report);
     if (!options.split) built.report.closed_gaps = closed_gaps(claims, places);
   }
-  Claimed claimed = {std::move(claims), places, {}, box, join(solids), {}, {}, {}};
+  Claimed claimed = {std::move(claims), places, tissues, box, join(solids), {}, {}, {}, {}};
+  if (!options.slides.empty()) claimed.surface_m = surfaces_of(std::move(solids));
   claimed.sample_m3 = sample_volumes(grid, built.report);
   cut_away(claimed, options);
   if (options.measured) built.input_m = claimed.mesh;
-  for (const Input& input : inputs) claimed.tissues.push_back(input.tissue);
   claimed.sources = source_records(inputs, built.report);
   built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
   return built;
@@ -366,9 +372,10 @@ Lattice lattice_of(Claimed& claimed, const BuildOptions& options, const Progress
   if (lattice.cell_of_voxel.empty()) {
     refuse("--crop: no voxel lies in all of these regions: expected at least one");
   }
-  if (!options.split) return lattice;
+  if (!options.split && options.slides.empty()) return lattice;
   progress("splitting at gaps", 0);
-  return split_parts(claimed.claims, claimed.places, std::move(lattice));
+  return split_parts(claimed.claims, claimed.places, std::move(lattice),
+                     {options.split, apart_owners(options.slides, claimed.tissues)});
 }
 
 // Volumes that the inputs give, by material; materials of gaps and capsule are not numbered here.
@@ -444,7 +451,9 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   const TissueNumbers numbers = number_tissues(claimed.tissues, options, edge_m, materials);
   warn_of_slopes(claimed, numbers, warnings);
   const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
-  const std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, lattice);
+  std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, lattice);
+  settle_owners(claimed.claims, lattice, apart_owners(options.slides, claimed.tissues),
+                owner_of_voxel);
   VoxelMaterials of_voxel = voxel_materials(claimed.claims, lattice, owner_of_voxel,
                                             claimed.tissues, numbers, layers, options, materials);
   parts.voxel_material = std::move(of_voxel.material);
@@ -453,6 +462,9 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   warn_of_losses(held_volumes(lattice, parts.mixed, of_voxel.given), edge_m, given, materials,
                  warnings);
   parts.membranes = place_membranes(options.membranes, lattice, materials, warnings);
+  SlideLists slides = place_slides(options.slides, claimed, lattice, warnings);
+  parts.slide_points = std::move(slides.points);
+  parts.slide_grounds = std::move(slides.grounds);
   parts.materials = std::move(materials.tissues);
   parts.voxel_fixed = fixed_corners(lattice, claimed, options.held);
   embed_surface(claimed.mesh, lattice, parts);

@@ -14,6 +14,7 @@
 #include "asset/materials.h"
 #include "asset/write_organ.h"
 #include "base/progress.h"
+#include "base/slide.h"
 #include "meshes/read_mesh.h"
 #include "meshes/repair.h"
 #include "pipeline/bodies.h"
@@ -61,6 +62,7 @@ struct BuildOptions {
   std::vector<Layer> layers;
   LayerCourse layer_course;
   std::vector<Membrane> membranes;
+  std::vector<Slide> slides;  // between tissues of inputs (pipeline/slides.h)
   std::vector<Tissue> own_tissues;
   bool measured = false;     // fill in what a quality report asks for
   std::string options_text;  // these options as text, for the provenance in the file
@@ -138,6 +140,7 @@ struct Claimed {
   std::vector<std::uint8_t> cut;  // cells cut away, see voxels/crop.h
   std::vector<SourceRecord> sources;
   std::vector<double> sample_m3;  // volume that a sample of each owner represents
+  std::vector<Mesh> surface_m;    // of each owner that slides; others may be empty
 };
 // cut_away keeps only the part that `options.crop` asks for. swept_voxels is what a tick of the
 // organ sweeps, with gaps filled and parts split as the options say.

@@ -22,6 +22,8 @@ struct CellCount {
   std::uint64_t inside = 0;
 };
 
+constexpr std::size_t kNoSkin = static_cast<std::size_t>(-1);
+
 constexpr std::size_t kAcross = 4, kSamples = kAcross * kAcross * kAcross;
 
 // The sub-cell (of 4 x 4 x 4) that a sample lies in.
@@ -138,6 +140,53 @@ void warn_of_absent(const Recipe& recipe, BuildReport& report) {
   }
 }
 
+// The surface of some groups alone.
+Skin skin_of(const LabelMap& map, Groups groups, const std::vector<std::size_t>& wanted) {
+  for (std::uint8_t& group : groups) {
+    const bool kept = group != 0 && std::ranges::find(wanted, group - 1U) != wanted.end();
+    if (!kept) group = 0;
+  }
+  return label_skin(map, groups);
+}
+
+// The surface of all groups; but tissues that slide have one each, because a needle meets both of
+// two that lie on each other. `of_group` is filled in for these.
+std::vector<Skin> find_skins(const LabelMap& map, const Groups& groups, const Recipe& recipe,
+                             const std::vector<Slide>& slides, std::vector<std::size_t>& of_group) {
+  std::vector<std::size_t> rest;
+  std::vector<Skin> skins;
+  of_group.assign(recipe.groups.size(), kNoSkin);
+  for (std::size_t i = 0; i < recipe.groups.size(); ++i) {
+    const std::string& tissue = recipe.groups[i].tissue;
+    const bool slid = std::ranges::any_of(slides, [&](const Slide& slide) {
+      return slide.tissue == tissue || slide.ground == tissue;
+    });
+    if (!slid) {
+      rest.push_back(i);
+      continue;
+    }
+    of_group[i] = skins.size();
+    skins.push_back(skin_of(map, groups, {i}));
+  }
+  if (skins.empty()) return {label_skin(map, groups)};
+  skins.push_back(skin_of(map, groups, rest));
+  return skins;
+}
+
+// All skins as one surface, each with its part of the triangles.
+Mesh thinned(const std::vector<Skin>& skins, std::uint32_t most_triangles) {
+  std::size_t quads = 0;
+  for (const Skin& skin : skins) quads += skin.quads.size();
+  Mesh all;
+  for (const Skin& skin : skins) {
+    if (skin.quads.empty()) continue;
+    const double part = static_cast<double>(skin.quads.size()) / static_cast<double>(quads);
+    const auto most = static_cast<std::size_t>(part * most_triangles);
+    add_mesh(all, with_fewer_triangles(triangles_of(skin), most));
+  }
+  return all;
+}
+
 SamplePlaces map_samples() {
   SamplePlaces places;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -213,7 +262,8 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   const LabelMap& map = crops || has_wall ? part : whole;
   const Groups groups = groups_of(path, map, recipe);
   progress("finding the surface", 0);
-  Skin skin = label_skin(map, groups);
+  std::vector<std::size_t> skin_of_group;
+  std::vector<Skin> skins = find_skins(map, groups, recipe, options.slides, skin_of_group);
   Claimed claimed;
   Built built;
   built.report.warnings = whole.notes;
@@ -221,16 +271,22 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   built.obstacles = find_obstacles(path, map, recipe, groups);
   built.targets = find_targets(map, recipe);
   warn_of_targets(built.targets, built.report.warnings);
-  for (const Vec& point : skin.points) grow(claimed.box, point);
-  if (options.measured) built.input_m = triangles_of(skin);
-  smooth(skin, recipe.smoothing);
+  for (Skin& skin : skins) {
+    for (const Vec& point : skin.points) grow(claimed.box, point);
+    if (options.measured) add_mesh(built.input_m, triangles_of(skin));
+    smooth(skin, recipe.smoothing);
+  }
   add_membranes(map, groups, recipe, options.membranes, built.report.warnings);
   progress("thinning the surface", 0);
-  claimed.mesh = with_fewer_triangles(triangles_of(skin), recipe.most_triangles);
+  claimed.mesh = thinned(skins, recipe.most_triangles);
   for (const Vec& point : claimed.mesh.points) grow(claimed.box, point);
   warn_of_size(claimed.box, built.report.warnings);
   built.report.labels = label_reports(map, groups, recipe);
   claimed.places = map_samples();
+  for (const LabelGroup& group : recipe.groups) claimed.tissues.push_back(group.tissue);
+  for (const std::size_t skin : skin_of_group) {
+    claimed.surface_m.push_back(skin == kNoSkin ? Mesh{} : triangles_of(skins[skin]));
+  }
   const double edge_m = choose_edge(claimed.box, options, [&](double each_m) {
     std::vector<LabelReport> unused = built.report.labels;
     Claimed tried = claimed;
@@ -246,7 +302,6 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
     measure_shares(claimed.claims, map, groups, built.report);
     if (!options.split) built.report.closed_gaps = closed_gaps(claimed.claims, claimed.places);
   }
-  for (const LabelGroup& group : recipe.groups) claimed.tissues.push_back(group.tissue);
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,
                       0, static_cast<std::uint32_t>(claimed.mesh.triangles.size())}};
   cut_away(claimed, options);

@@ -8,6 +8,7 @@
 
 #include "base/refusal.h"
 #include "pipeline/membranes.h"
+#include "pipeline/slides.h"
 #include "voxels/crop.h"
 
 namespace stylet::offline {
@@ -93,6 +94,7 @@ BuildOptions common_options(const Settings& s, double metres_per_unit) {
   for (const Membrane& membrane : options.membranes) {
     (void)find_tissue(options.own_tissues, membrane.tissue);
   }
+  options.slides = parse_slides(s.slides);
   options.tool_version = tool_version();
   options.options_text = s.voxels_across > 0 ? fmt::format("--voxels-across {}", s.voxels_across)
                          : !s.fit.empty()    ? "--fit " + s.fit
@@ -102,6 +104,7 @@ BuildOptions common_options(const Settings& s, double metres_per_unit) {
   for (const Membrane& membrane : options.membranes) {
     options.options_text += fmt::format(" --membrane {}:{}", membrane.from, membrane.tissue);
   }
+  for (const Slide& slide : options.slides) options.options_text += " --slide " + text_of(slide);
   if (!s.materials.empty()) {
     options.options_text +=
         " --materials " + std::filesystem::path(s.materials).filename().string();
@@ -146,7 +149,7 @@ void choose_capsule(const Settings& s, const std::vector<std::string>& tissues,
 
 void choose_for_labels(const Settings& s, const LabelSource& source, const Recipe& recipe,
                        BuildOptions& options) {
-  const std::vector<std::string> tissues = names_of_tissues(recipe.groups);
+  std::vector<std::string> tissues = names_of_tissues(recipe.groups);
   for (const std::string& tissue : tissues) (void)tissue_of_recipe(options, source, tissue);
   for (const NamedLabels& border : recipe.membranes) {
     (void)tissue_of_recipe(options, source, border.name);
@@ -163,6 +166,9 @@ void choose_for_labels(const Settings& s, const LabelSource& source, const Recip
   options.split = options.split || recipe.open_gaps;
   choose_layers(s, tissues, options);
   choose_capsule(s, tissues, options);
+  std::ranges::copy(recipe.slides, std::back_inserter(options.slides));
+  for (const WallLayer& layer : recipe.wall) tissues.push_back(layer.tissue);
+  check_slides(options.slides, tissues);
 }
 
 void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, BuildOptions& options) {
@@ -176,6 +182,7 @@ void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, Buil
   choose_gaps(s, options);
   choose_layers(s, tissues, options);
   choose_capsule(s, tissues, options);
+  check_slides(options.slides, tissues);
 }
 
 }  // namespace stylet::offline

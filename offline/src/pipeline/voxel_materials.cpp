@@ -2,6 +2,7 @@
 #include "pipeline/voxel_materials.h"
 
 #include "base/refusal.h"
+#include "pipeline/slides.h"
 #include "stylet/limits.h"
 
 namespace stylet::offline {
@@ -67,6 +68,7 @@ VoxelMaterials voxel_materials(const Claims& claims, const Lattice& lattice,
   const std::uint8_t capsule =
       options.capsule.empty() ? 0 : number_of(list, find_tissue(list.own, options.capsule));
   const Grid& grid = lattice.grid;
+  const ApartOwners apart = apart_owners(options.slides, tissues);
   VoxelMaterials of_voxel;
   for (std::size_t voxel = 0; voxel < lattice.cell_of_voxel.size(); ++voxel) {
     const std::uint32_t cell = lattice.cell_of_voxel[voxel];
@@ -76,6 +78,7 @@ VoxelMaterials voxel_materials(const Claims& claims, const Lattice& lattice,
                              (options.capsule_of.empty() || options.capsule_of == tissues[owner]);
     const bool is_capsule =
         has_capsule && (is_skin(claims, x, row % grid.size[1], row / grid.size[1]) ||
+                        meets_apart(lattice, static_cast<std::uint32_t>(voxel), apart) ||
                         touches(claims, cell, tissues, options.wall));
     const std::uint8_t layer = voxel_layer(numbers, layers, cell, owner);
     const std::uint8_t given =

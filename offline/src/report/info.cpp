@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/info.h"
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "asset/materials.h"
 #include "asset/write_organ.h"
@@ -64,14 +66,16 @@ Json byte_facts(const Organ& organ, std::size_t total) {
   const std::size_t membranes = organ.membrane_points.size_bytes() +
                                 organ.membrane_triangles.size_bytes() +
                                 organ.membrane_cells.size_bytes();
+  const std::size_t slides = organ.slide_points.size_bytes() + organ.slide_grounds.size_bytes();
   const std::size_t known = lattice + organ.vertices.size_bytes() + organ.triangles.size_bytes() +
-                            organ.spheres.size_bytes() + membranes;
+                            organ.spheres.size_bytes() + membranes + slides;
   Json facts{{"total", total},
              {"lattice", lattice},
              {"vertices", organ.vertices.size_bytes()},
              {"triangles", organ.triangles.size_bytes()},
              {"sphere_tree", organ.spheres.size_bytes()},
              {"membranes", membranes},
+             {"slides", slides},
              {"materials_provenance_and_tables", total - known},
              {"lattice_per_voxel", static_cast<double>(lattice) / organ.voxel_count}};
   facts["per_vertex"] = organ.vertices.empty() ? 0 : sizeof(OrganVertex);
@@ -94,6 +98,32 @@ Json membrane_facts(const Organ& organ) {
     list.push_back({{"tissue", organ_material(organ, i).name},
                     {"cells", cells},
                     {"area_cm2", squares * edge_mm * edge_mm * 1e-2}});
+  }
+  return list;
+}
+
+// Which tissues slide on which: the points, and the area that they stand for.
+Json slide_facts(const Organ& organ) {
+  struct Sum {
+    std::size_t points = 0;
+    double squares = 0;
+  };
+  std::map<std::tuple<std::uint8_t, std::uint8_t, float>, Sum> sums;
+  for (const OrganSlidePoint& p : organ.slide_points) {
+    const std::uint32_t ground = organ.slide_grounds[p.ground].voxel;
+    Sum& sum = sums[{organ.voxel_material[p.voxel], organ.voxel_material[ground], p.friction}];
+    ++sum.points;
+    sum.squares += static_cast<double>(p.area);
+  }
+  Json list = Json::array();
+  for (const auto& [which, sum] : sums) {
+    const auto [tissue, ground, friction] = which;
+    const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
+    list.push_back({{"tissue", organ_material(organ, tissue).name},
+                    {"ground", organ_material(organ, ground).name},
+                    {"friction", shown(friction)},
+                    {"points", sum.points},
+                    {"area_cm2", sum.squares * edge_mm * edge_mm * 1e-2}});
   }
   return list;
 }
@@ -204,10 +234,32 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
           {"sphere_nodes", organ.spheres.size()},
           {"materials", material_facts(organ)},
           {"membranes", membrane_facts(organ)},
+          {"slides", slide_facts(organ)},
           {"bytes", byte_facts(organ, bytes.size())},
           {"kernel_memory", kernel_facts(organ)},
           {"provenance", provenance_facts(root)}};
 }
+
+namespace {
+
+// Membranes, and where parts slide.
+std::string surfaces_text(const Json& f) {
+  std::string text;
+  for (const auto& m : f["membranes"]) {
+    text += fmt::format("membrane      {:<14} {:>8} voxels {:>9.4g} cm2\n",
+                        m["tissue"].get<std::string>(), m["cells"].get<std::size_t>(),
+                        m["area_cm2"].get<double>());
+  }
+  for (const auto& s : f["slides"]) {
+    text += fmt::format("slide         {:<14} {:>8} points {:>9.4g} cm2  on {}, friction {:.3g}\n",
+                        s["tissue"].get<std::string>(), s["points"].get<std::size_t>(),
+                        s["area_cm2"].get<double>(), s["ground"].get<std::string>(),
+                        s["friction"].get<double>());
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string organ_text(const nlohmann::ordered_json& f) {
   std::string text = fmt::format(
@@ -235,11 +287,7 @@ std::string organ_text(const nlohmann::ordered_json& f) {
         conductance > 0 ? fmt::format("  fluid {:.4g} kPa", m["fluid_pressure_kpa"].get<double>())
                         : "");
   }
-  for (const auto& m : f["membranes"]) {
-    text += fmt::format("membrane      {:<14} {:>8} voxels {:>9.4g} cm2\n",
-                        m["tissue"].get<std::string>(), m["cells"].get<std::size_t>(),
-                        m["area_cm2"].get<double>());
-  }
+  text += surfaces_text(f);
   const auto& b = f["bytes"];
   text += fmt::format(
       "file          {:.3f} MB: lattice {:.3f} ({:.2f} bytes per voxel), vertices {:.3f}, "

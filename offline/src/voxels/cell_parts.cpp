@@ -25,11 +25,17 @@ std::vector<std::uint64_t> divide(std::size_t count, Choose choose) {
 
 }  // namespace
 
-CellParts::CellParts(const Claims& claims, const SamplePlaces& places, const Lattice& lattice)
-    : claims_(claims), places_(places), lattice_(lattice) {
+CellParts::CellParts(const Claims& claims, const SamplePlaces& places, const Lattice& lattice,
+                     const Connections& connections)
+    : claims_(claims),
+      places_(places),
+      lattice_(lattice),
+      gaps_part_(connections.gaps_part),
+      sides_(claims, connections.apart) {
+  constexpr double kAnywhere = 10;  // farther than any sample of a cell beside it
   for (int i = 0; i < 27; ++i) {
     const CellStep step = step_of(i);
-    near_[step.index()] = near_samples(places, step.vec(), kReach);
+    near_[step.index()] = near_samples(places, step.vec(), gaps_part_ ? kReach : kAnywhere);
   }
   find_parts();
   settle_specks();
@@ -58,24 +64,46 @@ std::size_t CellParts::nearest(const std::vector<std::uint64_t>& bits, Vec place
   return best;
 }
 
-void CellParts::find_parts() {
+// The samples `bits` of a cell divided into connected parts.
+std::vector<std::uint64_t> CellParts::connected(std::uint32_t cell, std::uint64_t bits) const {
   constexpr std::size_t kHere = 13;
+  const std::span<const SideSamples> sides = sides_.in(cell);
+  if (sides.size() == 1) return connected_parts(bits, near_[kHere]);
+  std::vector<std::uint64_t> found;
+  while (bits != 0) {
+    std::uint64_t part = bits & (~bits + 1), before = 0;
+    while (part != before) {
+      before = part;
+      for (const SideSamples& from : sides) {
+        part |= reached(part & from.samples, near_[kHere]) & sides_.joined(cell, from.side) & bits;
+      }
+    }
+    found.push_back(part);
+    bits &= ~part;
+  }
+  return found;
+}
+
+void CellParts::find_parts() {
   for (const std::uint32_t cell : lattice_.cell_of_voxel) {
     first.push_back(static_cast<std::uint32_t>(parts.size()));
     const std::uint64_t bits = claims_.inside[cell];
-    if (bits == 0 || bits == kFullCell) {
-      parts.push_back({cell, kNoPart, kNoSheet, false, bits, kFullCell, {}});
+    if (bits == 0 || (bits == kFullCell && sides_.in(cell).size() == 1)) {
+      parts.push_back(
+          {cell, kNoPart, kNoSheet, false, bits, sides_.sides(cell, bits), kFullCell, {}});
       continue;
     }
-    for (const std::uint64_t part : connected_parts(bits, near_[kHere])) {
-      parts.push_back({cell, kNoPart, kNoSheet, false, part, kFullCell, {}});
+    for (const std::uint64_t part : connected(cell, bits)) {
+      parts.push_back(
+          {cell, kNoPart, kNoSheet, false, part, sides_.sides(cell, part), kFullCell, {}});
     }
   }
   first.push_back(static_cast<std::uint32_t>(parts.size()));
 }
 
-// Joins specks to a larger part of their cell: to the connected one, or if alone to the nearest.
-std::vector<CellPart> CellParts::settled(std::size_t voxel) const {
+// Joins specks to a larger part of their cell: to the connected one, or if alone to the nearest
+// that they are not apart from.
+std::vector<CellPart> CellParts::settled(std::size_t voxel) {
   std::vector<CellPart> own(parts.begin() + first[voxel], parts.begin() + first[voxel + 1]);
   if (own.size() == 1) return own;
   const Block block = block_around(own[0].cell);
@@ -84,30 +112,51 @@ std::vector<CellPart> CellParts::settled(std::size_t voxel) const {
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::popcount(parts[a].inside) > std::popcount(parts[b].inside);
   });
-  std::vector<std::uint64_t> kept;
+  std::vector<CellPart> kept;
   std::vector<std::uint32_t> kept_set;
   for (const std::uint32_t i : order) {
-    const std::uint64_t inside = parts[i].inside;
+    const CellPart& part = parts[i];
     const std::uint32_t set = set_of(block, i);
-    const auto same = std::find(kept_set.begin(), kept_set.end(), set);
+    const auto same = same_set(kept, kept_set, part, set);
     const bool is_alone = std::count(block.set.begin(), block.set.end(), set) == 1;
-    if (kept.empty() || std::popcount(inside) >= kLeastPart ||
-        (same == kept_set.end() && !is_alone)) {
-      kept.push_back(inside);
+    if (kept.empty() || std::popcount(part.inside) >= kLeastPart ||
+        (same == kept.size() && !is_alone)) {
+      kept.push_back(part);
       kept_set.push_back(set);
-    } else if (same != kept_set.end()) {
-      kept[static_cast<std::size_t>(same - kept_set.begin())] |= inside;
+    } else if (same < kept.size()) {
+      kept[same].inside |= part.inside;
+      kept[same].sides |= part.sides;
     } else {
-      kept[nearest(kept, places_[static_cast<unsigned>(std::countr_zero(inside))])] |= inside;
+      join_nearest(part, kept);
     }
   }
-  const auto quarters = divide(kept.size(), [&](Vec centre) { return nearest(kept, centre); });
-  own.resize(kept.size(), own[0]);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    own[i].inside = kept[i];
-    own[i].quarters = quarters[i];
+  std::vector<std::uint64_t> bits;
+  for (const CellPart& each : kept) bits.push_back(each.inside);
+  const auto quarters = divide(kept.size(), [&](Vec centre) { return nearest(bits, centre); });
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i].quarters = quarters[i];
+  return kept;
+}
+
+// The first of the parts that is connected with another one, or their number.
+std::size_t CellParts::same_set(const std::vector<CellPart>& kept,
+                                const std::vector<std::uint32_t>& kept_set, const CellPart& part,
+                                std::uint32_t set) const {
+  std::size_t i = 0;
+  while (i < kept.size() && (kept_set[i] != set || apart(kept[i], part))) ++i;
+  return i;
+}
+
+void CellParts::join_nearest(const CellPart& speck, std::vector<CellPart>& kept) {
+  std::vector<std::uint64_t> bits;
+  for (const CellPart& each : kept) bits.push_back(apart(each, speck) ? 0 : each.inside);
+  CellPart& there =
+      kept[nearest(bits, places_[static_cast<unsigned>(std::countr_zero(speck.inside))])];
+  if (apart(there, speck)) {
+    strays.push_back({speck.cell, speck.inside});
+  } else {
+    there.inside |= speck.inside;
+    there.sides |= speck.sides;
   }
-  return own;
 }
 
 void CellParts::settle_specks() {
@@ -154,15 +203,15 @@ std::vector<CellPart> CellParts::empty_parts(const CellPart& empty) const {
     });
   }
   if (around.empty()) return {empty};
-  const Block block = block_around(empty.cell);
+  const std::vector<std::uint32_t> set = sets_around(empty.cell, around);
   std::vector<std::uint32_t> sets, hosts;  // hosts: the fullest part of each set
   std::vector<std::size_t> number;         // for each part around: the number of its set
-  for (const std::uint32_t i : around) {
-    const std::uint32_t set = set_of(block, i);
-    const auto known = std::find(sets.begin(), sets.end(), set);
+  for (std::size_t n = 0; n < around.size(); ++n) {
+    const std::uint32_t i = around[n];
+    const auto known = std::find(sets.begin(), sets.end(), set[n]);
     number.push_back(static_cast<std::size_t>(known - sets.begin()));
     if (known == sets.end()) {
-      sets.push_back(set);
+      sets.push_back(set[n]);
       hosts.push_back(i);
     }
     std::uint32_t& host = hosts[number.back()];
@@ -180,15 +229,43 @@ std::vector<CellPart> CellParts::empty_parts(const CellPart& empty) const {
   std::vector<CellPart> own(hosts.size(), empty);
   for (std::size_t i = 0; i < hosts.size(); ++i) {
     own[i].host = hosts[i];
+    own[i].sides = parts[hosts[i]].sides;
     own[i].quarters = quarters[i];
   }
   return own;
 }
 
+// Which of the parts around a cell without samples are connected, as numbers of sets.
+std::vector<std::uint32_t> CellParts::sets_around(std::uint32_t cell,
+                                                  const std::vector<std::uint32_t>& around) const {
+  const Block block = block_around(cell);
+  std::vector<std::uint32_t> parent = each_by_itself(around.size());
+  for (std::uint32_t i = 0; i < around.size(); ++i) {
+    for (std::uint32_t j = 0; j < i; ++j) {
+      const bool near = !gaps_part_ || set_of(block, around[i]) == set_of(block, around[j]);
+      if (near && !apart(parts[around[i]], parts[around[j]])) join(parent, i, j);
+    }
+  }
+  for (std::uint32_t i = 0; i < parent.size(); ++i) parent[i] = root_of(parent, i);
+  return parent;
+}
+
+bool CellParts::apart(const CellPart& a, const CellPart& b) const {
+  return sides_.owners().apart(a.sides, b.sides);
+}
+
 // Whether two parts of neighbouring cells touch; both have samples.
 bool CellParts::touch(const CellPart& a, const CellPart& b) const {
-  if (a.inside == kFullCell && b.inside == kFullCell) return true;
-  return (reached(a.inside, near_[between(a, b).index()]) & b.inside) != 0;
+  if (apart(a, b)) return false;
+  const std::span<const SideSamples> sides = sides_.in(a.cell);
+  const bool simple = sides.size() == 1 && sides_.in(b.cell).size() == 1;
+  if (simple && a.inside == kFullCell && b.inside == kFullCell) return true;
+  const Near& near = near_[between(a, b).index()];
+  if (simple) return (reached(a.inside, near) & b.inside) != 0;
+  return std::ranges::any_of(sides, [&](const SideSamples& from) {
+    const std::uint64_t there = sides_.joined(b.cell, from.side) & b.inside;
+    return (reached(a.inside & from.samples, near) & there) != 0;
+  });
 }
 
 CellParts::Block CellParts::block_around(std::uint32_t cell) const {
@@ -219,9 +296,11 @@ bool CellParts::linked(std::uint32_t i, std::uint32_t j) const {
   if (i > j) std::swap(i, j);
   const CellPart &a = parts[i], &b = parts[j];
   if (a.cell == b.cell) return i == j;
+  if (apart(a, b)) return false;
   const int samples = std::min(std::popcount(a.inside), std::popcount(b.inside));
   const bool touching = samples > 0 && touch(a, b);
   if (touching || samples >= kLeastNeighbour) return touching;
+  if (!gaps_part_) return samples == 0;
   const std::uint32_t k = a.inside != 0 ? i : a.host, l = b.inside != 0 ? j : b.host;
   if (k == kNoPart || l == kNoPart || k == l) return true;
   const Block block = block_around(a.inside == 0 || b.inside != 0 ? a.cell : b.cell);

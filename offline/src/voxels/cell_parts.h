@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "voxels/apart.h"
 #include "voxels/lattice.h"
 #include "voxels/sample_parts.h"
 
@@ -36,15 +37,24 @@ struct CellPart {
   std::uint32_t sheet = kNoSheet;
   bool crowded = false;      // a part of a neighbouring cell does not touch it
   std::uint64_t inside = 0;  // its samples
+  std::uint32_t sides = 1;   // what it consists of (voxels/apart.h); without samples: its host
   std::uint64_t quarters = kFullCell;
   std::array<std::uint8_t, 8> group{};  // per corner: parts of the same group share the particle
 };
 
+// What connects samples: the reach of each, if gaps part them, else the cells; but nothing connects
+// inputs that are apart.
+struct Connections {
+  bool gaps_part = true;
+  ApartOwners apart;
+};
+
 class CellParts {
  public:
-  // Finds the parts. All three arguments must outlive the object, and the voxel numbers of
-  // `lattice` must not change as long as parts are asked for.
-  CellParts(const Claims& claims, const SamplePlaces& places, const Lattice& lattice);
+  // Finds the parts. All arguments must outlive the object, and the voxel numbers of `lattice` must
+  // not change as long as parts are asked for.
+  CellParts(const Claims& claims, const SamplePlaces& places, const Lattice& lattice,
+            const Connections& connections);
 
   std::vector<CellPart> parts;
   std::vector<std::uint32_t> first;  // first part of each voxel of `lattice`, then the end
@@ -69,18 +79,34 @@ class CellParts {
   // Parts without samples follow their hosts; if these are missing or too far apart: connected.
   bool linked(std::uint32_t i, std::uint32_t j) const;
 
+  // Samples in cells of another side that touch nothing of their own: no part has them. A voxel of
+  // theirs would be alone.
+  struct Stray {
+    std::uint32_t cell;
+    std::uint64_t samples;
+  };
+  std::vector<Stray> strays;
+
  private:
   // The parts with samples in a cell and its 26 neighbours, and which are connected there.
   struct Block {
     std::vector<std::uint32_t> part, set;
   };
 
+  std::vector<std::uint64_t> connected(std::uint32_t cell, std::uint64_t bits) const;
   void find_parts();
   void settle_specks();
   void find_empty_parts();
   std::size_t nearest(const std::vector<std::uint64_t>& bits, Vec place) const;
-  std::vector<CellPart> settled(std::size_t voxel) const;
+  std::vector<CellPart> settled(std::size_t voxel);
   std::vector<CellPart> empty_parts(const CellPart& empty) const;
+  std::size_t same_set(const std::vector<CellPart>& kept,
+                       const std::vector<std::uint32_t>& kept_set, const CellPart& part,
+                       std::uint32_t set) const;
+  void join_nearest(const CellPart& speck, std::vector<CellPart>& kept);
+  std::vector<std::uint32_t> sets_around(std::uint32_t cell,
+                                         const std::vector<std::uint32_t>& around) const;
+  bool apart(const CellPart& a, const CellPart& b) const;
   bool touch(const CellPart& a, const CellPart& b) const;
   Block block_around(std::uint32_t cell) const;
   static std::uint32_t set_of(const Block& block, std::uint32_t part);
@@ -88,6 +114,8 @@ class CellParts {
   const Claims& claims_;
   const SamplePlaces& places_;
   const Lattice& lattice_;
+  bool gaps_part_;
+  SampleSides sides_;
   std::array<Near, 27> near_{};
 };
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <tuple>
 
 namespace stylet::offline {
 namespace {
@@ -56,37 +55,11 @@ Plane fit_plane(const SamplePlaces& places, std::uint64_t beyond) {
 
 CellWalk::CellWalk(const Claims& claims, const SamplePlaces& places, const TissueNumbers& numbers,
                    Sides sides)
-    : claims_(claims), places_(places), numbers_(numbers), sides_(sides), shares_(claims.shares) {
-  // Among equal shares the first input is the strongest, as in add_claim.
-  std::stable_sort(shares_.begin(), shares_.end(), [](const auto& a, const auto& b) {
-    return std::make_tuple(a.cell, a.priority, std::popcount(a.inside), b.owner) <
-           std::make_tuple(b.cell, b.priority, std::popcount(b.inside), a.owner);
-  });
-}
-
-// The strongest owner is put last, over the others.
-OfSamples CellWalk::owners_of(std::size_t cell) const {
-  OfSamples owner{};
-  owner.fill(kNoOwner);
-  const std::uint64_t inside = claims_.inside[cell];
-  const auto take = [&](std::uint64_t samples, std::uint16_t of) {
-    for (std::uint32_t s = 0; s < kCellSamples; ++s) {
-      if ((samples >> s & 1U) != 0) owner[s] = of;
-    }
-  };
-  take(inside, claims_.owner[cell]);  // also samples that no input filled (fill_gaps)
-  auto share =
-      std::lower_bound(shares_.begin(), shares_.end(), cell,
-                       [](const auto& each, std::size_t wanted) { return each.cell < wanted; });
-  for (; share != shares_.end() && share->cell == cell; ++share) {
-    take(share->inside & inside, share->owner);
-  }
-  return owner;
-}
+    : claims_(claims), places_(places), numbers_(numbers), sides_(sides), owners_(claims) {}
 
 CellHere CellWalk::enter(std::size_t cell, Depths& depths) const {
   CellHere here;
-  here.owner = owners_of(cell);
+  here.owner = owners_.in(cell);
   if (numbers_.layers.empty()) return here;
   std::uint64_t layered = 0;
   for (std::uint32_t s = 0; s < kCellSamples; ++s) {

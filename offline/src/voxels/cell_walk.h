@@ -5,13 +5,10 @@
 #pragma once
 
 #include "voxels/layers.h"
+#include "voxels/sample_owners.h"
 #include "voxels/sample_parts.h"
 
 namespace stylet::offline {
-
-constexpr std::uint32_t kCellSamples = 64;
-constexpr std::uint16_t kNoOwner = 0xFFFF;
-using OfSamples = std::array<std::uint16_t, kCellSamples>;  // an owner or a material of each
 
 // A place is beyond the plane if dot(normal, place) > limit.
 struct Plane {
@@ -69,14 +66,13 @@ class CellWalk {
   }
 
  private:
-  OfSamples owners_of(std::size_t cell) const;
   CellHere enter(std::size_t cell, Depths& depths) const;  // moves `depths` on
 
   const Claims& claims_;
   const SamplePlaces& places_;
   const TissueNumbers& numbers_;
   Sides sides_;
-  std::vector<Claims::Share> shares_;  // by cell, weakest first
+  SampleOwners owners_;
 };
 
 }  // namespace stylet::offline

@@ -112,9 +112,11 @@ std::vector<Vec> inward(const std::vector<Vec>& points, const std::vector<Triang
   return sum;
 }
 
+// So far below a surface is the part that it belongs to.
+constexpr double kDepth = 0.15;
+
 // The voxel of a cell that a place belongs to; `below` points inward from the place.
 std::uint32_t voxel_for(const Lattice& lattice, CellPlace at, Vec place, Vec below) {
-  constexpr double kDepth = 0.15;
   const std::size_t cell = cell_index(lattice.grid, at.x, at.y, at.z);
   const Vec in_cell = place + below * kDepth - Vec{1.0 * at.x, 1.0 * at.y, 1.0 * at.z};
   std::uint32_t bit = 0;
@@ -267,17 +269,42 @@ Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
   return lattice;
 }
 
+namespace {
+
+// Where a point of the surface is embedded.
+struct Seat {
+  CellPlace cell;
+  std::uint32_t voxel;
+};
+
+// `below` points inward from the place. Where inputs are apart, two of their surfaces may lie in a
+// cell that has a voxel of only one of them, or on the border between two cells.
+template <typename Exists>
+std::optional<Seat> seat_of(const Lattice& lattice, Vec at, Vec below, Exists exists) {
+  const Grid& grid = lattice.grid;
+  const auto cell = find_cell(grid, at, exists);
+  if (!cell) return std::nullopt;
+  const Seat seat = {*cell, voxel_for(lattice, *cell, at, below)};
+  const CellPlace deeper = own_cell(grid, at + below * kDepth);
+  if (lattice.sides.empty() || !exists(cell_index(grid, deeper.x, deeper.y, deeper.z))) return seat;
+  const Seat other = {deeper, voxel_for(lattice, deeper, at, below)};
+  const bool same_side = (lattice.sides[seat.voxel] & lattice.sides[other.voxel]) != 0;
+  return same_side ? seat : other;
+}
+
+}  // namespace
+
 Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
               const std::vector<Triangle>& triangles) {
   const Grid& grid = lattice.grid;
   const auto exists = [&](std::size_t cell) { return lattice.voxel_of_cell[cell] != kNoVoxel; };
   Surface surface;
-  const std::vector<Vec> below =
-      lattice.shared.empty() ? std::vector<Vec>(points_m.size()) : inward(points_m, triangles);
+  const std::vector<Vec> below = lattice.shared.empty() && lattice.sides.empty()
+                                     ? std::vector<Vec>(points_m.size())
+                                     : inward(points_m, triangles);
   for (std::size_t i = 0; i < points_m.size(); ++i) {
     const Vec at = to_lattice(grid, points_m[i]);
-    const CellPlace cell = find_cell(grid, at, exists).value();
-    const std::uint32_t voxel = voxel_for(lattice, cell, at, below[i]);
+    const auto [cell, voxel] = seat_of(lattice, at, below[i], exists).value();
     surface.vertices.push_back(
         {voxel, quantised(at.x - cell.x), quantised(at.y - cell.y), quantised(at.z - cell.z), 0});
     surface.rest_m.push_back(rest_position(grid, cell, surface.vertices.back()));
@@ -285,10 +312,9 @@ Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
   for (const Triangle& t : triangles) {
     const Vec sum = surface.rest_m[t[0]] + surface.rest_m[t[1]] + surface.rest_m[t[2]];
     const Vec centre = to_lattice(grid, sum * (1.0 / 3));
-    const auto cell = find_cell(grid, centre, exists);
     const Vec down = (below[t[0]] + below[t[1]] + below[t[2]]) * (1.0 / 3);
-    surface.voxel_of.push_back(cell ? voxel_for(lattice, *cell, centre, down)
-                                    : surface.vertices[t[0]].voxel);
+    const auto seat = seat_of(lattice, centre, down, exists);
+    surface.voxel_of.push_back(seat ? seat->voxel : surface.vertices[t[0]].voxel);
   }
   return surface;
 }

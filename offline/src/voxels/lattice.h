@@ -57,7 +57,8 @@ struct Lattice {
   std::uint32_t sheets = 1, sheet_rows = 0;
   std::vector<OrganTie> ties;
   std::vector<OrganPart> parts;
-  std::vector<SharedCell> shared;  // sorted by cell, then voxel
+  std::vector<SharedCell> shared;    // sorted by cell, then voxel
+  std::vector<std::uint32_t> sides;  // of each voxel (voxels/apart.h), if any inputs are apart
 };
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;
 

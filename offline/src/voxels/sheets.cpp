@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxels/sheets.h"
 
+#include <bit>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 
 #include "base/disjoint_set.h"
 #include "base/refusal.h"
@@ -14,11 +16,21 @@ namespace {
 
 class Splitter {
  public:
-  Splitter(const Claims& claims, const SamplePlaces& places, Lattice lattice)
-      : lattice_(std::move(lattice)), cells_(claims, places, lattice_) {}
+  Splitter(Claims& claims, const SamplePlaces& places, Lattice lattice,
+           const Connections& connections)
+      : asked_by_(connections.gaps_part ? "--split-gaps" : "--slide"),
+        any_apart_(connections.apart.any()),
+        sheet_of_side_(sheets_of_sides(connections.apart)),
+        lattice_(std::move(lattice)),
+        cells_(claims, places, lattice_, connections) {
+    remove_strays(claims);
+  }
 
   Lattice split() {
-    if (!find_crowded()) return std::move(lattice_);
+    if (!find_crowded()) {
+      for (const CellPart& part : cells_.parts) name_side(part);  // each voxel has one
+      return std::move(lattice_);
+    }
     find_groups();
     merge_parts();
     choose_sheets();
@@ -28,6 +40,35 @@ class Splitter {
   }
 
  private:
+  void name_side(const CellPart& part) {
+    if (any_apart_) lattice_.sides.push_back(part.sides);
+  }
+
+  void remove_strays(Claims& claims) {
+    std::unordered_map<std::uint32_t, std::uint64_t> stray;
+    for (const CellParts::Stray& each : cells_.strays) stray[each.cell] |= each.samples;
+    for (const auto& [cell, samples] : stray) {
+      claims.inside[cell] &= ~samples;
+      claims.owner_fill[cell] = 0;
+      lattice_.fill[lattice_.voxel_of_cell[cell]] = fill_of(claims.inside[cell]);
+    }
+    std::unordered_map<std::uint32_t, int> priority;  // of the best owner so far
+    for (Claims::Share& share : claims.shares) {
+      const auto found = stray.find(share.cell);
+      if (found == stray.end()) continue;
+      share.inside &= ~found->second;
+      const auto left = static_cast<std::uint8_t>(std::popcount(share.inside));
+      const int best = priority.try_emplace(share.cell, share.priority).first->second;
+      std::uint8_t& most = claims.owner_fill[share.cell];
+      if (left == 0 || (most > 0 && std::tie(share.priority, left) <= std::tie(best, most))) {
+        continue;
+      }
+      claims.owner[share.cell] = share.owner;
+      priority[share.cell] = share.priority;
+      most = left;
+    }
+  }
+
   bool find_crowded() {
     bool any = false;
     for (std::uint32_t i = 0; i < cells_.parts.size(); ++i) {
@@ -114,6 +155,7 @@ class Splitter {
         } else {
           same->inside |= cells_.parts[i].inside;
           same->quarters |= cells_.parts[i].quarters;
+          same->sides |= cells_.parts[i].sides;
         }
       }
     }
@@ -139,14 +181,40 @@ class Splitter {
     return true;
   }
 
-  // Puts each part into the sheet with most of its neighbours, among the sheets allowed for it.
+  // What slides finds its ground's voxels one beside the other: so sides that are apart have sheets
+  // of their own, as few as that takes.
+  static std::vector<std::uint32_t> sheets_of_sides(const ApartOwners& apart) {
+    std::vector<std::uint32_t> sheet(std::max<std::size_t>(1, apart.apart_from.size()), 0);
+    for (std::size_t side = 1; side < sheet.size(); ++side) {
+      const auto is_taken = [&](std::uint32_t wanted) {
+        for (std::size_t other = 1; other < side; ++other) {
+          const bool are_apart = (apart.apart_from[side] >> other & 1U) != 0;
+          if (are_apart && sheet[other] == wanted) return true;
+        }
+        return false;
+      };
+      while (is_taken(sheet[side])) ++sheet[side];
+    }
+    return sheet;
+  }
+
+  std::uint32_t wanted_sheet(const CellPart& part) const {
+    const std::uint32_t sliding = part.sides & ~1U;
+    if (!any_apart_ || sliding == 0) return 0;
+    return sheet_of_side_[static_cast<std::size_t>(std::countr_zero(sliding))];
+  }
+
+  // Puts each part into the sheet that its side wants, or else into that with most of its
+  // neighbours, among the sheets allowed for it.
   void choose_sheets() {
-    for (CellPart& part : cells_.parts) part.sheet = part.crowded ? kNoSheet : 0;
-    std::uint32_t sheets = 1;
+    constexpr int kWanted = 1000;  // more than it can have neighbours
+    for (CellPart& part : cells_.parts) part.sheet = part.crowded ? kNoSheet : wanted_sheet(part);
+    std::uint32_t sheets = 1 + *std::ranges::max_element(sheet_of_side_);
     for (CellPart& part : cells_.parts) {
       if (part.sheet != kNoSheet) continue;
       std::vector<int> votes(sheets + 1, 0);
       votes[sheets] = -1;  // a new sheet only if no other is allowed
+      if (any_apart_) votes[wanted_sheet(part)] = kWanted;
       for (int n = 0; n < 27; ++n) {
         cells_.each_part(cells_.place_of(part.cell), step_of(n), [&](std::uint32_t j) {
           const CellPart& other = cells_.parts[j];
@@ -162,9 +230,9 @@ class Splitter {
     if (sheets > kMaxSheets || rows * sheets > 65535 ||
         rows * sheets * lattice_.grid.size[2] > kMaxRows) {
       refuse<TooFine>(
-          "--split-gaps: {} sheets of {} x {} rows: expected {} sheets and {} rows at most: choose "
-          "another voxel edge",
-          sheets, rows, lattice_.grid.size[2], kMaxSheets, kMaxRows);
+          "{}: {} sheets of {} x {} rows: expected {} sheets and {} rows at most: choose another "
+          "voxel edge",
+          asked_by_, sheets, rows, lattice_.grid.size[2], kMaxSheets, kMaxRows);
     }
     lattice_.sheets = sheets;
     lattice_.sheet_rows = sheets == 1 ? lattice_.grid.size[1] : static_cast<std::uint32_t>(rows);
@@ -186,7 +254,7 @@ class Splitter {
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     if (order.size() > kMaxVoxels) {
-      refuse<TooFine>("--split-gaps: {} voxels: expected at most {}: choose a larger voxel edge",
+      refuse<TooFine>("{}: {} voxels: expected at most {}: choose a larger voxel edge", asked_by_,
                       order.size(), kMaxVoxels);
     }
     std::vector<std::uint32_t> parts_in_cell;
@@ -204,6 +272,7 @@ class Splitter {
       add_voxel(lattice_.runs, cells_.place_of(part.cell),
                 row_of(cells_.place_of(part.cell), part.sheet));
       lattice_.fill.push_back(fill_of(part.inside));
+      name_side(part);
       lattice_.cell_of_voxel.push_back(part.cell);
       lattice_.voxel_of_cell[part.cell] = voxel;
       if (parts_in_cell[i] == 1) continue;
@@ -254,14 +323,18 @@ class Splitter {
 
   static constexpr int kRefused = -2;
 
+  const char* asked_by_;
+  bool any_apart_;
+  std::vector<std::uint32_t> sheet_of_side_;
   Lattice lattice_;
   CellParts cells_;
 };
 
 }  // namespace
 
-Lattice split_parts(const Claims& claims, const SamplePlaces& places, Lattice lattice) {
-  return Splitter(claims, places, std::move(lattice)).split();
+Lattice split_parts(Claims& claims, const SamplePlaces& places, Lattice lattice,
+                    const Connections& connections) {
+  return Splitter(claims, places, std::move(lattice), connections).split();
 }
 
 }  // namespace stylet::offline

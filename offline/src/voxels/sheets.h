@@ -7,16 +7,19 @@
 // of the nodes between them, others do not. Voxels that must not share a node go to different
 // sheets of the lattice (kernel/schema/organ.fbs); ties join the nodes that are one particle.
 //
+// Inputs that are apart (voxels/apart.h) are parts that do not touch, however near they are.
+//
 // Promises: without such parts the lattice is unchanged. Gaps are detected from about a third of a
 // voxel on. Time: linear in voxels. Units: cell edges.
 #pragma once
 
-#include "voxels/lattice.h"
-#include "voxels/sample_parts.h"
+#include "voxels/cell_parts.h"
 
 namespace stylet::offline {
 
-// `places` are those of the samples in `claims`. Refuses what exceeds the limits of the format.
-Lattice split_parts(const Claims& claims, const SamplePlaces& places, Lattice lattice);
+// `places` are those of the samples in `claims`, which lose what no voxel could hold
+// (CellParts::strays). Refuses what exceeds the limits of the format.
+Lattice split_parts(Claims& claims, const SamplePlaces& places, Lattice lattice,
+                    const Connections& connections = {});
 
 }  // namespace stylet::offline

@@ -108,6 +108,7 @@ class Labels(Case):
                  {"voxel_edge_m": 0.0047, "capsule": "none", "fix": "x<20%"}),
                 (("--voxels-across", "9", "--name", "mine", "--split-gaps", "--crop", "z>30%"),
                  {"voxels_across": 9, "name": "mine", "split_gaps": True, "crop": ["z>30%"]}),
+                (("--slide", "tumour:liver:0.3"), {"slides": ["tumour:liver:0.3"]}),
                 (("--layers-of", "liver", "--layers-along", "-y", "--layer", "fat:8", "--layer",
                   "muscle:90", "--fill-gaps", "fat:3"),
                  {"layers_of": "liver", "layers_along": "-y", "layers": ["fat:8", "muscle:90"],

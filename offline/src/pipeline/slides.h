@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tissues of a build that slide on each other: what a user says of them, how their inputs are kept
+// apart, and how they get into the organ.
+//
+// Promises: what cannot be meant is refused with the option's name; a user is told where parts do
+// not meet, and of surface that is left out. Units: metres.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/build.h"
+#include "voxels/apart.h"
+#include "voxels/slides.h"
+
+namespace stylet::offline {
+
+// Each text is TISSUE:GROUND or TISSUE:GROUND:FRICTION.
+std::vector<Slide> parse_slides(const std::vector<std::string>& texts);
+
+// Refuses tissues that no input has, and pairs that are there twice.
+void check_slides(const std::vector<Slide>& slides, const std::vector<std::string>& tissues);
+
+std::string text_of(const Slide& slide);
+
+// Which owners are apart; `tissues` are those of the owners.
+ApartOwners apart_owners(const std::vector<Slide>& slides, const std::vector<std::string>& tissues);
+
+// Points and grounds of all slides. `claimed` is as the lattice was made of it.
+SlideLists place_slides(const std::vector<Slide>& slides, const Claimed& claimed,
+                        const Lattice& lattice, std::vector<std::string>& warnings);
+
+}  // namespace stylet::offline
