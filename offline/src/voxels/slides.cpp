@@ -13,8 +13,8 @@
 namespace stylet::offline {
 namespace {
 
-// Of points, in edges. With half of it the forces of a patient's insertion were the same within 1 %,
-// and its ticks took 1.8 ms instead of 1.1.
+// Of points, in edges. With half of it the forces of a patient's insertion were within 1 %, and its
+// ticks took 1.8 ms instead of 1.1.
 constexpr double kSpacing = 1;
 // Cosine between outward normals of surfaces that face each other, at most: 107 degrees. So the
 // sides of a part do not face what it lies on, but the rim of what it lies on faces it.
