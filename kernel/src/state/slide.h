@@ -27,17 +27,17 @@ struct SlidePoint {
   float weight[8];
   float stiffness_n_per_m, friction;
   float rest_outside_m;  // at most 0: parts may overlap at rest
-  std::uint32_t ground;  // where it is at rest, and its place there (0 to 1 along each axis)
-  Vec3 place;
+  std::uint32_t ground;  // where it is at rest, and its place there
+  Vec3 place;            // in edges from the ground's low corner
 };
 struct SlideState {
   Vec3 place;               // in its ground at rest
   Vec3 stretch_m;           // of friction's spring, along the surface
   float stiffness_n_per_m;  // of its contact; 0: it touches nothing
-  std::uint32_t ground;
+  std::uint32_t ground;     // in which it is
 };
 struct SlideBooks {
-  double friction_j;
+  double friction_j;  // dissipated since reset
 };
 // A point's contact in a substep.
 struct SlideContact {

@@ -26,7 +26,9 @@ SOURCE, BUILD, EXAMPLE_IN_C, ORGAN_MAKER, LIBRARY = (
     pathlib.Path(word).resolve() for word in sys.argv[1:6])
 BROWSER = SOURCE / "hal/hosts/browser"
 PACKAGE = BUILD / "browser/package"
-SKIPPED, MOST_BYTES = 77, 200_000
+SKIPPED = 77
+# 200 kB and what contact between parts of an organ that slide takes.
+MOST_BYTES = 206_000
 README = re.search(r"^```js\n(.*?)^```", (BROWSER / "package/README.md").read_text(),
                    re.S | re.M)[1]
 PAGE = """<!doctype html><meta charset="utf-8"><script type="importmap">
