@@ -101,7 +101,7 @@ void try_every_field(const Organ& organ, std::set<std::string>& tried_io) {
   Config config;
   config.inertia = Inertia::kTrueMass;  // this and a syringe have fields of their own
   config.needle[0].hub = Hub::kSyringe;
-  const Session a = make_session(organ, config), b = make_session(organ, config);
+  Session a = make_session(organ, config), b = make_session(organ, config);
   const Script script = block_script(organ, config);
   run(a.kernel, script, 0, 1300);
   run(b.kernel, script, 0, 1300);
