@@ -98,7 +98,8 @@ inline void add_grounds(const TwoParts& p, TinyOrgan& tiny) {
                       static_cast<float>(z + (i >> 2U))) +
                 p.gap / steep;
           }
-          tiny.slide_grounds.emplace_back(voxel, flatbuffers::span<const float, 8>(distance));
+          const auto& d = distance;
+          tiny.slide_grounds.emplace_back(voxel, d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7]);
         }
         ++voxel;
       }

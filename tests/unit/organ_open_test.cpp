@@ -262,7 +262,8 @@ std::vector<Case> membrane_cases() {
 }
 
 format::SlideGround slide_ground(std::uint32_t voxel, const std::array<float, 8>& distance) {
-  return {voxel, flatbuffers::span<const float, 8>(distance)};
+  const auto& d = distance;
+  return {voxel, d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7]};
 }
 
 // A point in voxel 0, and grounds in voxels 3 and 5.

@@ -14,7 +14,7 @@ namespace stylet {
 // A voxel of the part that is the ground.
 constexpr std::uint32_t kNoGround = 0xFFFFFFFFU;
 struct SlideGround {
-  std::uint32_t slot;
+  std::uint32_t slot;       // of the voxel
   std::uint32_t node[8];    // particles at its corners
   float outside_m[8];       // how far its corners at rest lie outside the ground's surface
   Vec3 low_m;               // low corner at rest
@@ -22,13 +22,13 @@ struct SlideGround {
 };
 // A point of the other part's surface.
 struct SlidePoint {
-  Vec3 rest_m;
-  std::uint32_t node[8];  // of its own voxel
-  float weight[8];
-  float stiffness_n_per_m, friction;
-  float rest_outside_m;  // at most 0: parts may overlap at rest
-  std::uint32_t ground;  // where it is at rest, and its place there
-  Vec3 place;            // in edges from the ground's low corner
+  Vec3 rest_m;                        // where it is at rest
+  std::uint32_t node[8];              // particles at the corners of its own voxel
+  float weight[8];                    // theirs
+  float stiffness_n_per_m, friction;  // of its contact; Coulomb's coefficient
+  float rest_outside_m;               // at most 0: parts may overlap at rest
+  std::uint32_t ground;               // where it is at rest, and its place there
+  Vec3 place;                         // in edges from the ground's low corner
 };
 struct SlideState {
   Vec3 place;               // in its ground at rest

@@ -103,7 +103,7 @@ public struct Stats {
 public struct Energy {
   public uint struct_bytes, reserved;
   public double elastic_j, kinetic_j, coupling_j, bending_j, work_by_hand_j;
-  public double friction_j, cutting_j, relaxation_j, obstacles_j;
+  public double friction_j, cutting_j, relaxation_j, obstacles_j, sliding_j;
 }
 
 [StructLayout(LayoutKind.Sequential)]
