@@ -356,6 +356,16 @@ def central_vein(run):
             given_over_time(run, "Blood drawn is below zero")]
 
 
+def liver_under_wall(run):
+    ticks = [1, 5000, 9000]
+    panels = cut_through(run, ticks, "Liver under the wall")
+    return panels + [
+        {"title": "Force on the hand", "x": "time / s", "y": "force / N",
+         "lines": [(run.time_s, run.axial_n, "axial force"),
+                   (run.time_s, run.force_n[:, 2], "towards the head")],
+         "key": "outside right top"}]
+
+
 def draw(name, run, picture):
     if name == "fig09-force-curve":  # the program draws this one itself
         subprocess.run([play.BIN / "stylet", "plot", run.path, "-o", picture], check=True,
