@@ -340,7 +340,9 @@ Status count(const Organ& organ, const Config& config, Counts& counts_out) {
   for (std::uint32_t i = 0; i < config.needle_count; ++i) {
     if (config.needle[i].hub != Hub::kClosed) counts_out.fluids = config.needle_count;
   }
-  if (status != Status::kOk || config.mode == Mode::kPaper) return status;
+  if (status != Status::kOk) return status;
+  count_slides(organ, counts_out);
+  if (config.mode == Mode::kPaper) return status;
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
     const bool stiffens = organ_material(organ, i).strain_stiffening > 0;
     if (stiffens) counts_out.stiffening_slots = counts_out.slots;
@@ -349,7 +351,6 @@ Status count(const Organ& organ, const Config& config, Counts& counts_out) {
     counts_out.membrane_needles = counts_out.needles;
     counts_out.membranes = 1;
   }
-  count_slides(organ, counts_out);
   return status;
 }
 
@@ -402,8 +403,6 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   View view = view_of(kernel_out);
   // Read before its first write, but not trusted (match.cpp); memory checkers cannot know that.
   for (std::uint32_t i = 0; i < counts.slots; ++i) view.scratch.slot_mark[i] = 0;
-  // Added to from the first substep on.
-  for (std::uint32_t i = 0; i < 3 * counts.slid_particles; ++i) view.scratch.slide_force[i] = 0;
   for (std::uint32_t i = 0; i < counts.needles; ++i) {
     make_needle(config.needle[i], view.model.rod[i]);
   }

@@ -19,6 +19,7 @@ struct TwoParts {
   std::uint16_t height = 8;
   float plane = 4, slope_x = 0, slope_y = 0;  // the plane is at z = plane + slope_x x + slope_y y
   float gap = 0;                              // between the floor and the lid, along z
+  std::uint16_t gap_x = 0, gap_width = 0;     // columns from there on that the floor lacks
   float friction = 0;
   float voxel_edge_m = 0.005F;
   TinyMaterial floor, lid;

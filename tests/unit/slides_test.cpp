@@ -178,6 +178,93 @@ TEST(Slides, AFloorCarriesTheWeight) {
   }
 }
 
+// In the paper's mode, too.
+TEST(Slides, AFloorCarriesTheWeightInPaperMode) {
+  TwoParts parts;
+  parts.friction = 0.5F;
+  Config config;
+  config.mode = Mode::kPaper;
+  config.gravity_m_per_s2 = {0, 0, -static_cast<float>(kGravity)};
+  Bodies bodies = make(parts, config);
+  wait(bodies, 3000);
+  const double weight_n = kGravity * sum_of(bodies.session.kernel, 1).kg;
+  EXPECT_NEAR(touch_of(bodies.session.kernel).force_n, weight_n, 0.02 * weight_n);
+}
+
+// A lid that is thrown along a floor loses by friction what friction's force is times the way.
+TEST(Slides, TheBooksHaveWhatFrictionTakes) {
+  Draw draw(9);
+  for (const float friction : {0.0F, 0.05F, 0.2F}) {
+    for (const float period_s : {1e-3F, 0.25e-3F}) {
+      TwoParts parts;
+      parts.floor_x = 24;
+      parts.friction = friction;
+      parts.plane = draw.between(3.2, 3.8);
+      parts.floor.youngs_modulus_pa = parts.lid.youngs_modulus_pa = 15e3F;
+      Config config;
+      config.period_s = period_s;
+      config.surround_drag_per_s = 0;
+      config.gravity_m_per_s2 = {0, 0, -static_cast<float>(kGravity)};
+      Bodies bodies = make(parts, config);
+      const auto ticks = [&](double s) {
+        return static_cast<int>(std::lround(s / double{period_s}));
+      };
+      wait(bodies, ticks(2));
+      throw_part(bodies, 1, {0.3F, 0, 0});
+      const Sum before = sum_of(bodies.session.kernel, 1);
+      const double spent_j = energy(bodies.session.kernel).sliding;
+      wait(bodies, ticks(0.05));
+      const Sum after = sum_of(bodies.session.kernel, 1);
+      const double way_m = after.moved[0] - before.moved[0];
+      const double expected_j = static_cast<double>(friction) * kGravity * after.kg * way_m;
+      const double booked_j = energy(bodies.session.kernel).sliding - spent_j;
+      EXPECT_NEAR(booked_j, expected_j, 0.15 * expected_j + 1e-9) << friction << " " << period_s;
+    }
+  }
+}
+
+// A lid that is dragged over a gap in its floor is carried by what lies beyond.
+TEST(Slides, PointsFindTheNextPieceOfTheirGround) {
+  TwoParts parts;
+  parts.floor_x = 24;
+  parts.gap_x = 9;
+  parts.gap_width = 3;
+  parts.friction = 0;
+  parts.floor.youngs_modulus_pa = parts.lid.youngs_modulus_pa = 30e3F;
+  Config config;
+  config.surround_drag_per_s = 0;
+  config.gravity_m_per_s2 = {0, 0, -static_cast<float>(kGravity)};
+  Bodies bodies = make(parts, config);
+  const Kernel& kernel = bodies.session.kernel;
+  wait(bodies, 1500);
+  throw_part(bodies, 1, {0.5F, 0, 0});
+  while (sum_of(kernel, 1).moved[0] < 0.060) wait(bodies, 1);  // 12 columns: it is beyond
+  double force_n = 0;
+  for (int t = 0; t < 20; ++t) {
+    wait(bodies, 1);
+    force_n += touch_of(kernel).force_n / 20;
+  }
+  const double weight_n = kGravity * sum_of(kernel, 1).kg;
+  EXPECT_NEAR(force_n, weight_n, 0.3 * weight_n);  // it still swings
+  EXPECT_GT(sum_of(kernel, 1).moved[2], -2e-3);
+}
+
+// What scratch holds between ticks changes nothing.
+TEST(Slides, ScratchBetweenTicksIsNothing) {
+  Draw draw(10);
+  TwoParts parts = drawn_parts(draw);
+  Config config;
+  config.gravity_m_per_s2 = {1, 1, -9};
+  Bodies clean = make(parts, config), spoiled = make(parts, config);
+  for (int i = 0; i < 400; ++i) {
+    const std::span<std::byte> scratch = spoiled.session.scratch.span();
+    std::fill(scratch.begin(), scratch.end(), std::byte{0xFF});
+    wait(clean, 1);
+    wait(spoiled, 1);
+  }
+  EXPECT_EQ(hash(clean.session.kernel), hash(spoiled.session.kernel));
+}
+
 // On a slope of drawn direction, given by the direction of gravity: a block stays below the angle
 // of friction and goes with g (sin a - mu cos a) above it.
 TEST(Slides, ASlopeHoldsBelowTheAngleOfFriction) {

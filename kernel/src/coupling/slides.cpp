@@ -23,6 +23,10 @@ constexpr float kSteepest = 2.0F;
 constexpr float kLeastVolume = 0.05F;
 // How far beyond the last voxel of a ground its depth is still known, in edges.
 constexpr float kBeyond = 0.25F;
+// How far a point goes in a substep at most, in edges.
+constexpr float kStep = 1.0F;
+// How far from its ground a point is followed, in edges. It may come to another piece of it.
+constexpr float kFollowed = 64.0F;
 
 // Weights of a voxel's corners at a place in it (0 to 1 along each axis), and their slopes.
 struct Weights {
@@ -51,14 +55,19 @@ Places damped(const State& state) {
   return {state.ex, state.ey, state.ez};
 }
 
-// A place of a ground now.
+Vec3 within(Vec3 place, float low, float high) {
+  return {clamp(place.x, low, high), clamp(place.y, low, high), clamp(place.z, low, high)};
+}
+
+// A place of a ground now. Farther than kBeyond from the voxel its map goes on straight.
 struct Seen {
   Vec3 at_m;
   Mat3 gradient;  // of the place now, by the place at rest
 };
 Seen see(const SlideGround& ground, Vec3 place, float edge_m, const Places& places) {
   Seen out;
-  const Weights weights = weights_at(place);
+  const Vec3 near = within(place, -kBeyond, 1 + kBeyond);
+  const Weights weights = weights_at(near);
   Vec3 moved = {};
   Mat3 d = {};
   for (std::uint32_t i = 0; i < 8; ++i) {
@@ -69,12 +78,12 @@ Seen see(const SlideGround& ground, Vec3 place, float edge_m, const Places& plac
       for (int b = 0; b < 3; ++b) d.m[a][b] += of_u[a] * along[b];
     }
   }
-  out.at_m = ground.low_m + edge_m * place + moved;
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) {
       out.gradient.m[a][b] = (a == b ? 1.0F : 0.0F) + d.m[a][b] / edge_m;
     }
   }
+  out.at_m = ground.low_m + edge_m * near + moved + edge_m * (out.gradient * (place - near));
   return out;
 }
 
@@ -99,10 +108,45 @@ Vec3 place_of(const SlidePoint& point, const Places& places) {
   return point.rest_m + moved;
 }
 
-// Brings a place back into a voxel of the ground, at most one voxel on along each axis. Where there
-// is no further voxel, the last one's map goes on a little.
+// The ground in this slot, if it is one. Slots rise with voxels.
+std::uint32_t ground_in(const Model& model, std::uint32_t slot) {
+  const SlideGround* const end = model.ground + model.head->counts.grounds;
+  const SlideGround* const found = std::lower_bound(
+      static_cast<const SlideGround*>(model.ground), end, slot,
+      [](const SlideGround& ground, std::uint32_t at) { return ground.slot < at; });
+  const bool is_one = found != end && found->slot == slot;
+  return is_one ? static_cast<std::uint32_t>(found - model.ground) : kNoGround;
+}
+
+// The ground so many voxels from another one, in the same sheet.
+std::uint32_t ground_at(const Model& model, const SlideGround& from, const std::int32_t (&by)[3]) {
+  const ModelHead& head = *model.head;
+  const std::int32_t x = from.x + by[0], y = from.y + by[1], z = from.z + by[2];
+  const auto rows = static_cast<std::int32_t>(head.sheet_rows);
+  const std::int32_t row = y + from.sheet * rows;
+  const bool there = x >= 0 && y >= 0 && z >= 0 && y < rows &&
+                     row < static_cast<std::int32_t>(head.size_y) &&
+                     z < static_cast<std::int32_t>(head.size_z);
+  const std::uint32_t index =
+      there ? row_at(model, x, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(z))
+            : kNoRow;
+  if (index == kNoRow) return kNoGround;
+  const Row& found = model.row[index];
+  return ground_in(model, found.slot + static_cast<std::uint32_t>(x - found.x0));
+}
+
+// Whole edges below a place; whatever is no number is far below.
+std::int32_t whole(float at) {
+  if (!(at > -kFollowed)) return -static_cast<std::int32_t>(kFollowed);
+  const auto down = static_cast<std::int32_t>(min_of(at, kFollowed));
+  return at < static_cast<float>(down) ? down - 1 : down;
+}
+
+// Brings a place back into a voxel of the ground: to the next one along each axis, else to the one
+// in which it lies, which may be of another piece. Without any the last one's map goes on.
 void enter_voxel(const Model& model, std::uint32_t& ground, Vec3& place) {
   float* const along[3] = {&place.x, &place.y, &place.z};
+  bool inside = true;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     float& at = *along[axis];
     const std::uint32_t* const beside = model.ground[ground].beside;
@@ -113,8 +157,16 @@ void enter_voxel(const Model& model, std::uint32_t& ground, Vec3& place) {
       ground = beside[2 * axis + 1];
       at -= 1;
     }
-    at = clamp(at, -1, 2);
+    inside = inside && at >= 0 && at <= 1;
   }
+  if (inside) return;
+  const std::int32_t by[3] = {whole(place.x), whole(place.y), whole(place.z)};
+  const std::uint32_t other = ground_at(model, model.ground[ground], by);
+  if (other != kNoGround) {
+    ground = other;
+    for (std::uint32_t axis = 0; axis < 3; ++axis) *along[axis] -= static_cast<float>(by[axis]);
+  }
+  place = within(place, -kFollowed, kFollowed);
 }
 
 bool is_beside(Vec3 place) {
@@ -145,9 +197,12 @@ SlideContact meet(const Model& model, const SlidePoint& point, const Places& pla
   Mat3 back = {};  // from now to rest
   const Seen before = see(model.ground[own.ground], own.place, edge_m, places);
   const Vec3 slip_m = place_of(point, places) - before.at_m;
-  if (!invert(before.gradient, back)) return out;
-  const Vec3 step = (1 / edge_m) * (back * slip_m);
-  own.place = own.place + Vec3{clamp(step.x, -1, 1), clamp(step.y, -1, 1), clamp(step.z, -1, 1)};
+  const bool crushed = !invert(before.gradient, back);
+  if (crushed) {  // it stays with its material, and is pressed as that was at rest
+    back = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  } else {
+    own.place = own.place + within((1 / edge_m) * (back * slip_m), -kStep, kStep);
+  }
   enter_voxel(model, own.ground, own.place);
   own.place = settle(own.place);
   if (is_beside(own.place)) return out;
@@ -160,7 +215,7 @@ SlideContact meet(const Model& model, const SlidePoint& point, const Places& pla
   out.depth_m = max_of(point.rest_outside_m - off.m, 0);
   for (std::uint32_t i = 0; i < 8; ++i) out.weight[i] = weights.of[i];
   const Vec3 normal = (1 / norm(out.slope)) * out.slope;
-  out.slip_m = slip_m - dot(normal, slip_m) * normal;
+  if (!crushed) out.slip_m = slip_m - dot(normal, slip_m) * normal;
   return out;
 }
 
@@ -207,7 +262,7 @@ Vec3 press(const SlidePoint& point, const SlideContact& c, float share, SlideSta
   const float pull_n = k * norm(stretched);
   const Vec3 kept = pull_n > limit_n ? (limit_n / pull_n) * stretched : stretched;
   books.friction_j += stored_j(own.stiffness_n_per_m, own.stretch_m) - stored_j(k, carried);
-  books.friction_j += stored_j(k, stretched) - stored_j(k, kept);
+  books.friction_j += static_cast<double>(k) * static_cast<double>(dot(kept, stretched - kept));
   own.stretch_m = settle(kept);
   own.stiffness_n_per_m = k;
   return pushed_n - k * own.stretch_m;
@@ -234,10 +289,6 @@ void add_force(const Model& model, const SlidePoint& point, const SlideState& ow
   }
 }
 
-Vec3 within(Vec3 place) {
-  return {clamp(place.x, 0, 1), clamp(place.y, 0, 1), clamp(place.z, 0, 1)};
-}
-
 template <typename Visit>
 void for_each_ground_node(const Model& model, Visit visit) {
   for (std::uint32_t i = 0; i < model.head->counts.grounds; ++i) {
@@ -249,32 +300,6 @@ std::uint32_t node_of(const Row& row, std::uint32_t slot, std::uint32_t corner) 
   return row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U);
 }
 
-// The ground in this slot, if it is one. Slots rise with voxels.
-std::uint32_t ground_in(const Model& model, std::uint32_t slot) {
-  const SlideGround* const end = model.ground + model.head->counts.grounds;
-  const SlideGround* const found = std::lower_bound(
-      static_cast<const SlideGround*>(model.ground), end, slot,
-      [](const SlideGround& ground, std::uint32_t at) { return ground.slot < at; });
-  const bool is_one = found != end && found->slot == slot;
-  return is_one ? static_cast<std::uint32_t>(found - model.ground) : kNoGround;
-}
-
-// The ground in the next voxel along an axis, up or down, in the same sheet.
-std::uint32_t ground_beside(const Model& model, const Row& row, std::uint32_t slot,
-                            std::uint32_t axis, bool up) {
-  const std::int32_t x = static_cast<std::int32_t>(row.x0 + (slot - row.slot));
-  std::uint32_t y = row.y, z = model.plane[row.plane].z;
-  if (!up && ((axis == 1 && y == 0) || (axis == 2 && z == 0))) return kNoGround;
-  if (axis == 1) y = up ? y + 1 : y - 1;
-  if (axis == 2) z = up ? z + 1 : z - 1;
-  if (y >= model.head->size_y || z >= model.head->size_z) return kNoGround;
-  const std::int32_t next = axis != 0 ? x : (up ? x + 1 : x - 1);
-  const std::uint32_t index = row_at(model, next, y, z);
-  if (index == kNoRow) return kNoGround;
-  const Row& other = model.row[index];
-  return ground_in(model, other.slot + static_cast<std::uint32_t>(next - other.x0));
-}
-
 void fill_grounds(const Organ& organ, Model& model) {
   const ModelHead& head = *model.head;
   for (std::uint32_t i = 0; i < head.counts.grounds; ++i) {
@@ -282,6 +307,10 @@ void fill_grounds(const Organ& organ, Model& model) {
     SlideGround& ground = model.ground[i];
     const Row& row = model.row[model.voxel_row[given.voxel]];
     ground.slot = model.voxel_slot[given.voxel];
+    ground.x = static_cast<std::int32_t>(row.x0 + (ground.slot - row.slot));
+    ground.y = row.y % head.sheet_rows;
+    ground.z = model.plane[row.plane].z;
+    ground.sheet = row.y / head.sheet_rows;
     ground.low_m = head.origin_m + head.edge_m * cell_of(model, ground.slot, row);
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
       ground.node[corner] = node_of(row, ground.slot, corner);
@@ -290,9 +319,10 @@ void fill_grounds(const Organ& organ, Model& model) {
   }
   for (std::uint32_t i = 0; i < head.counts.grounds; ++i) {  // once all slots are known
     SlideGround& ground = model.ground[i];
-    const Row& row = model.row[model.voxel_row[organ.slide_grounds[i].voxel]];
     for (std::uint32_t side = 0; side < 6; ++side) {
-      ground.beside[side] = ground_beside(model, row, ground.slot, side / 2, side % 2 != 0);
+      std::int32_t by[3] = {};
+      by[side / 2] = side % 2 != 0 ? 1 : -1;
+      ground.beside[side] = ground_at(model, ground, by);
     }
   }
 }
@@ -355,7 +385,7 @@ void add_slide_room(Model& model, float* bound_io) {
   for (std::uint32_t i = 0; i < counts.slide_points; ++i) {
     const SlidePoint& point = model.slide_point[i];
     const SlideGround& ground = model.ground[point.ground];
-    const Weights there = weights_at(within(point.place));
+    const Weights there = weights_at(within(point.place, 0, 1));
     for (std::uint32_t n = 0; n < 8; ++n) {
       room[point.node[n]] += bound_of(point.stiffness_n_per_m, point.weight[n], 1);
       room[ground.node[n]] += bound_of(point.stiffness_n_per_m, there.of[n], 1);
@@ -391,6 +421,7 @@ void press_slides(const Model& model, State& state, Scratch& scratch) {
   const Places places = damped(state);
   float* const use = scratch.slide_use;
   for (std::uint32_t i = 0; i < counts.slid_particles; ++i) use[i] = 0;
+  for (std::uint32_t i = 0; i < 3 * counts.slid_particles; ++i) scratch.slide_force[i] = 0;
   for (std::uint32_t i = 0; i < counts.slide_points; ++i) {
     const SlidePoint& point = model.slide_point[i];
     SlideContact& c = scratch.slide_contact[i];

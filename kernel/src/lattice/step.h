@@ -200,17 +200,15 @@ void weigh_particles(const Model& model, const State& state, const Plane& plane,
   });
 }
 
-// Adds what parts that slide press on each other, and sets it to zero.
-void take_slides(const Model& model, Scratch& scratch, const Plane& plane, float* force) {
+// Adds what parts that slide press on each other.
+void take_slides(const Model& model, const Scratch& scratch, const Plane& plane, float* force) {
   const auto force_axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
   const std::ptrdiff_t axis = model.head->counts.slid_particles;
-  float* const from = scratch.slide_force + plane.particle_begin;
+  const float* const from = scratch.slide_force + plane.particle_begin;
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
       float* const to = force + (i + c * force_axis);
-      float* const each = from + (i + c * axis);
-      store(to, load(to) + load(each));
-      store(each, Wide{});
+      store(to, load(to) + load(from + (i + c * axis)));
     }
   });
 }

@@ -253,48 +253,48 @@ struct ScratchHead {
   /* slide_books: what their friction has taken; likewise */                              \
   F(slide_books, SlideBooks, c.slides)
 
-#define STYLET_SCRATCH_FIELDS(F)                                                               \
-  /* head: counts of this tick; written by tick and coupling/match */                          \
-  F(head, ScratchHead, 1)                                                                      \
-  /* before_sums: what windows read before the first sum and do not use; nobody writes it */   \
-  F(before_sums, float, kLanes)                                                                \
-  /* sums: N: forces that voxels send to their corners, a chunk of slots; lattice step */      \
-  F(sums, float, 12 * c.slots_at_once)                                                         \
-  /* force: N: forces on two planes of particles; written by the lattice step */               \
-  F(force, float, 6 * c.particles_per_plane)                                                   \
-  /* coupled: voxels that hold constraint particles in this tick; coupling/match */            \
-  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)                                       \
-  /* member: their particles' supports, lists by voxel; coupling/match */                      \
-  F(member, Member, kMaxMembers* c.needles)                                                    \
-  /* stretch: m: how far this tick pulls each particle's spring; tick and coupling/ */         \
-  F(stretch, Vec3, kNeedleParticles* c.needles)                                                \
-  /* place: m: where that spring's end is in this substep; lattice/matches */                  \
-  F(place, Vec3, kNeedleParticles* c.needles)                                                  \
-  /* plane_first: first entry of each plane in plane_order; coupling/match */                  \
-  F(plane_first, std::uint32_t, c.planes + 2)                                                  \
-  /* plane_order: coupled voxels by plane; coupling/match */                                   \
-  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)                                  \
-  /* group: the same in lanes (coupling/match); changes for corners (lattice/match_lanes) */   \
-  F(group, MatchGroup, kMaxCoupledVoxels / kLanes * c.needles)                                 \
-  /* slot_mark: entry of a slot in `coupled`, if that points back; coupling/match */           \
-  F(slot_mark, std::uint32_t, c.slots)                                                         \
-  /* coupling_bound: N/m: what constraint particles add to `bound`; coupling/match */          \
-  F(coupling_bound, float, c.filtered_particles)                                               \
-  /* filter: passes of the filter, true mass only; lattice/filter_passes */                    \
-  F(filter, float, c.filter_floats)                                                            \
-  /* loads: on the rods: forces of particles (needle/rod.h); coupling/bend */                  \
-  F(loads, RodLoads, 1)                                                                        \
-  /* rod: the rods' equilibrium at work; needle/rod */                                         \
-  F(rod, RodScratch, 1)                                                                        \
-  /* rod_result: the result of it; needle/rod */                                               \
-  F(rod_result, RodResult, 1)                                                                  \
-  /* touch: touches of this tick, before they are kept; coupling/touches */                    \
-  F(touch, Touch, kMaxTouches)                                                                 \
-  /* slide_contact: contacts of points in a substep; coupling/slides */                        \
-  F(slide_contact, SlideContact, c.slide_points)                                               \
-  /* slide_use: N/m: stiffness that they would add to a particle; coupling/slides */           \
-  F(slide_use, float, c.slid_particles)                                                        \
-  /* slide_force: N: on particles, x, y and z; coupling/slides adds, the lattice step takes */ \
+#define STYLET_SCRATCH_FIELDS(F)                                                             \
+  /* head: counts of this tick; written by tick and coupling/match */                        \
+  F(head, ScratchHead, 1)                                                                    \
+  /* before_sums: what windows read before the first sum and do not use; nobody writes it */ \
+  F(before_sums, float, kLanes)                                                              \
+  /* sums: N: forces that voxels send to their corners, a chunk of slots; lattice step */    \
+  F(sums, float, 12 * c.slots_at_once)                                                       \
+  /* force: N: forces on two planes of particles; written by the lattice step */             \
+  F(force, float, 6 * c.particles_per_plane)                                                 \
+  /* coupled: voxels that hold constraint particles in this tick; coupling/match */          \
+  F(coupled, CoupledVoxel, kMaxCoupledVoxels* c.needles)                                     \
+  /* member: their particles' supports, lists by voxel; coupling/match */                    \
+  F(member, Member, kMaxMembers* c.needles)                                                  \
+  /* stretch: m: how far this tick pulls each particle's spring; tick and coupling/ */       \
+  F(stretch, Vec3, kNeedleParticles* c.needles)                                              \
+  /* place: m: where that spring's end is in this substep; lattice/matches */                \
+  F(place, Vec3, kNeedleParticles* c.needles)                                                \
+  /* plane_first: first entry of each plane in plane_order; coupling/match */                \
+  F(plane_first, std::uint32_t, c.planes + 2)                                                \
+  /* plane_order: coupled voxels by plane; coupling/match */                                 \
+  F(plane_order, std::uint32_t, kMaxCoupledVoxels* c.needles)                                \
+  /* group: the same in lanes (coupling/match); changes for corners (lattice/match_lanes) */ \
+  F(group, MatchGroup, kMaxCoupledVoxels / kLanes * c.needles)                               \
+  /* slot_mark: entry of a slot in `coupled`, if that points back; coupling/match */         \
+  F(slot_mark, std::uint32_t, c.slots)                                                       \
+  /* coupling_bound: N/m: what constraint particles add to `bound`; coupling/match */        \
+  F(coupling_bound, float, c.filtered_particles)                                             \
+  /* filter: passes of the filter, true mass only; lattice/filter_passes */                  \
+  F(filter, float, c.filter_floats)                                                          \
+  /* loads: on the rods: forces of particles (needle/rod.h); coupling/bend */                \
+  F(loads, RodLoads, 1)                                                                      \
+  /* rod: the rods' equilibrium at work; needle/rod */                                       \
+  F(rod, RodScratch, 1)                                                                      \
+  /* rod_result: the result of it; needle/rod */                                             \
+  F(rod_result, RodResult, 1)                                                                \
+  /* touch: touches of this tick, before they are kept; coupling/touches */                  \
+  F(touch, Touch, kMaxTouches)                                                               \
+  /* slide_contact: contacts of points in a substep; coupling/slides */                      \
+  F(slide_contact, SlideContact, c.slide_points)                                             \
+  /* slide_use: N/m: stiffness that they would add to a particle; coupling/slides */         \
+  F(slide_use, float, c.slid_particles)                                                      \
+  /* slide_force: N: on particles, x, y and z; coupling/slides */                            \
   F(slide_force, float, 3 * c.slid_particles)
 
 // An array of a block, constant where its owner is: a `const State&` can be read, not written.

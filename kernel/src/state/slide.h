@@ -18,6 +18,8 @@ struct SlideGround {
   std::uint32_t node[8];    // particles at its corners
   float outside_m[8];       // how far its corners at rest lie outside the ground's surface
   Vec3 low_m;               // low corner at rest
+  std::int32_t x, y, z;     // its cell of space
+  std::int32_t sheet;       // in which it lies
   std::uint32_t beside[6];  // the ground below and above along x, y and z, or kNoGround
 };
 // A point of the other part's surface.
@@ -34,7 +36,7 @@ struct SlideState {
   Vec3 place;               // in its ground at rest
   Vec3 stretch_m;           // of friction's spring, along the surface
   float stiffness_n_per_m;  // of its contact; 0: it touches nothing
-  std::uint32_t ground;     // in which it is
+  std::uint32_t ground;     // in which it is, or was last
 };
 struct SlideBooks {
   double friction_j;  // dissipated since reset
