@@ -560,7 +560,8 @@ class LiverUnderWall(Scene):
         liver_m, bed_m, length_m, pull, press, friction = 45e-3, 15e-3, 100e-3, 4.9, 1.31, 0.1
         liver_pa, bed_pa, poisson, density, bed_density = 23.2e3, 3e3, 0.45, 1060, 1000
         weight_pa = density * liver_m * (pull - friction * press)
-        sheared = (weight_pa + bed_density * bed_m * pull / 2) / (bed_pa / 2 / (1 + poisson)) * bed_m
+        bed_shear_pa = bed_pa / 2 / (1 + poisson)
+        sheared = (weight_pa + bed_density * bed_m * pull / 2) / bed_shear_pa * bed_m
         sheared += weight_pa / 2 / (liver_pa / 2 / (1 + poisson)) * liver_m
         # It also turns, as a stiff body on a bed that is pressed between two plates.
         confined_pa = bed_pa * (1 - poisson) / (1 + poisson) / (1 - 2 * poisson)
