@@ -309,7 +309,7 @@ void fill_grounds(const Organ& organ, Model& model) {
     ground.slot = model.voxel_slot[given.voxel];
     ground.x = static_cast<std::int32_t>(row.x0 + (ground.slot - row.slot));
     ground.y = row.y % head.sheet_rows;
-    ground.z = model.plane[row.plane].z;
+    ground.z = static_cast<std::int32_t>(model.plane[row.plane].z);
     ground.sheet = row.y / head.sheet_rows;
     ground.low_m = head.origin_m + head.edge_m * cell_of(model, ground.slot, row);
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
