@@ -16,8 +16,10 @@
 #include "pipeline/settings.h"
 #include "pipeline/slides.h"
 #include "random_bodies.h"
+#include "report/quality.h"
 #include "session.h"
 #include "state/layout.h"
+#include "voxels/crop.h"
 
 namespace stylet::test {
 namespace {
@@ -338,8 +340,11 @@ TEST(Slides, AUserIsToldOfWhatDoesNotMeet) {
   const Mesh low = box_mesh({0, 0, 0}, {40, 40, 20}), far = box_mesh({0, 0, 60}, {40, 40, 80});
   const auto apart = build_quietly({input_of(low, 1e-3, "kidney"), input_of(far, 1e-3, "muscle")},
                                    sliding(5, "muscle:kidney"));
-  EXPECT_THAT(apart.report.warnings,
-              Contains(HasSubstr("slide muscle:kidney:0.1: no surface of muscle faces kidney")));
+  EXPECT_THAT(
+      apart.report.warnings,
+      Contains("--slide 'muscle:kidney': no surface of muscle faces kidney within 10 mm; they "
+               "are apart there and nothing keeps one out of the other: expected surfaces "
+               "that touch, or nearly"));
   EXPECT_EQ(opened(apart.bytes).format_version, 2U);
   // Another tissue between them joins both in the only voxels that lie there.
   const Mesh deep = box_mesh({0, 0, 0}, {40, 40, 17}), film = box_mesh({0, 0, 17}, {40, 40, 19});
@@ -348,8 +353,73 @@ TEST(Slides, AUserIsToldOfWhatDoesNotMeet) {
       {input_of(deep, 1e-3, "kidney"), input_of(lid, 1e-3, "muscle"), input_of(film, 1e-3, "fat")},
       sliding(8, "muscle:kidney"));
   EXPECT_THAT(joined.report.warnings,
-              Contains(HasSubstr("slide muscle:kidney:0.1: 16 of 16 cm2 are left out, because "
+              Contains(HasSubstr("--slide 'muscle:kidney': 16 of 16 cm2 are left out, because "
                                  "another tissue joins both parts")));
+}
+
+TEST(Slides, AUserIsToldOfOverlapsAndOfNothing) {
+  const Mesh low = box_mesh({0, 0, 0}, {40, 40, 40});
+  const auto built = [&](const Mesh& part, int priority, const std::string& crop = "") {
+    BuildOptions options = sliding(4, "muscle:kidney");
+    if (!crop.empty()) options.crop = offline::parse_crop({crop});
+    return build_quietly({input_of(low, 1e-3, "kidney", priority), input_of(part, 1e-3, "muscle")},
+                         options);
+  };
+  const auto overlapping = built(box_mesh({0, 0, 28}, {40, 40, 68}), 0);
+  EXPECT_THAT(overlapping.report.warnings,
+              Contains("--slide 'muscle:kidney': no surface of muscle faces kidney within 10 mm; "
+                       "they overlap by 19.2 ml: expected surfaces that touch, or nearly, or a "
+                       "higher priority for one of the two"));
+  const std::string none =
+      "--slide 'muscle:kidney': muscle has no voxel, so that nothing slides: expected some of it "
+      "that is neither cropped away nor covered by a tissue of higher priority";
+  EXPECT_THAT(built(box_mesh({12, 12, 12}, {28, 28, 28}), 1).report.warnings, Contains(none));
+  const auto cropped = built(box_mesh({0, 0, 40}, {40, 40, 60}), 0, "z<30");
+  EXPECT_THAT(cropped.report.warnings, Contains(none));
+  EXPECT_THAT(cropped.report.warnings, testing::Not(Contains(HasSubstr("no surface"))));
+}
+
+// Where the ground has priority, a part that reaches into it has the ground's surface as its foot,
+// and no more of it, however large the triangles are; and no points are beside one that the ground
+// gives way to.
+TEST(Slides, NoPointsBesideAPartThatOverlaps) {
+  for (const double deep_mm : {1.0, 3.0, 7.0, 13.0}) {
+    for (const int priority : {-1, 1}) {
+      const auto built =
+          build_quietly({input_of(box_mesh({0, 0, 0}, {60, 60, 20}), 1e-3, "kidney", priority),
+                         input_of(box_mesh({10, 10, 20 - deep_mm}, {50, 50, 40}), 1e-3, "muscle")},
+                        sliding(4, "muscle:kidney"));
+      SCOPED_TRACE(testing::Message() << deep_mm << " " << priority);
+      EXPECT_THAT(built.report.warnings, testing::Not(Contains(HasSubstr("left out"))));
+      const Organ organ = opened(built.bytes);
+      if (priority > 0) {
+        EXPECT_NEAR(area_m2(organ), 1600e-6, 0.04 * 1600e-6);
+      }
+      const std::vector<Voxel> voxels = voxels_of(organ);
+      for (const OrganSlidePoint& p : organ.slide_points) {
+        const Vec at = place_of(organ, voxels, p) * 1e3;
+        const double beyond = std::max(std::abs(at.x - 30), std::abs(at.y - 30)) - 20;
+        ASSERT_LT(beyond, 2);
+      }
+    }
+  }
+}
+
+// What lies on a held part, or bears it, does not drift.
+TEST(Slides, WhatLiesOnAHeldPartIsBorne) {
+  const auto findings = [](const std::string& held, double gap_mm) {
+    BuildOptions options = sliding(5, "muscle:kidney");
+    options.held = offline::parse_regions({held}, 1e-3);
+    const auto built = build_quietly(
+        {input_of(box_mesh({0, 0, 0}, {40, 40, 20}), 1e-3, "kidney"),
+         input_of(box_mesh({5, 5, 20 + gap_mm}, {35, 35, 40 + gap_mm}), 1e-3, "muscle")},
+        options);
+    return offline::held_findings(offline::lattice_pieces(opened(built.bytes)));
+  };
+  EXPECT_THAT(findings("z<1", 0), IsEmpty());
+  EXPECT_THAT(findings("z>39", 0), IsEmpty());
+  EXPECT_THAT(findings("z<1", 15), testing::ElementsAre(HasSubstr("1 of 2 separate pieces")));
+  EXPECT_THAT(findings("none", 0), testing::ElementsAre(HasSubstr("2 of 2 separate pieces")));
 }
 
 TEST(Slides, WhatCannotBeMeantIsRefused) {
@@ -364,24 +434,34 @@ TEST(Slides, WhatCannotBeMeantIsRefused) {
               "--slide '" + text + "': friction " + word + ": expected a number from 0 to 2");
   }
   const auto check = [](const std::vector<std::string>& texts) {
-    return refusal_of([&] {
-      offline::check_slides(offline::parse_slides(texts), {"liver", "muscle", "fat"});
-    });
+    BuildOptions options;
+    options.slides = offline::parse_slides(texts);
+    options.layers = offline::parse_layers({"skin:3", "fascia:2"}, "--layer");
+    options.layer_course.of = "muscle";
+    return refusal_of([&] { offline::check_slides(options, {"liver", "muscle", "fat"}); });
   };
   EXPECT_EQ(check({"liver:muscle", "fat:muscle:0", "liver:fat"}), "");
   EXPECT_EQ(check({"liver:bone"}),
-            "--slide 'liver:bone:0.1': bone: expected the tissue of one of the inputs");
-  for (const std::vector<std::string>& texts : {std::vector<std::string>{"liver:liver"},
-                                                {"liver:fat", "liver:fat:0.3"},
-                                                {"liver:fat", "fat:liver"}}) {
-    EXPECT_THAT(check(texts), HasSubstr("expected two tissues, and each two once"));
-  }
+            "--slide 'liver:bone': bone: expected the tissue of one of the inputs");
+  EXPECT_EQ(check({"liver:skin:0.10"}),
+            "--slide 'liver:skin:0.10': skin is a layer, and layers slide with the input that they "
+            "divide: expected the input's tissue, muscle");
+  EXPECT_EQ(check({"liver:liver"}),
+            "--slide 'liver:liver': liver cannot slide on itself: expected two tissues");
+  EXPECT_EQ(check({"liver:fat", "liver:fat:0.3"}),
+            "--slide 'liver:fat:0.3': liver slides on fat already (--slide 'liver:fat'): expected "
+            "each two tissues once");
+  EXPECT_EQ(check({"liver:fat", "fat:liver"}),
+            "--slide 'fat:liver': liver slides on fat already (--slide 'liver:fat'): expected only "
+            "one of two tissues to be the ground");
   std::vector<std::string> tissues, texts;
   for (int i = 0; i < 33; ++i) {
     tissues.push_back(std::to_string(i));
     if (i > 0) texts.push_back(tissues[0] + ":" + tissues.back());
   }
-  EXPECT_EQ(refusal_of([&] { offline::check_slides(offline::parse_slides(texts), tissues); }),
+  BuildOptions many;
+  many.slides = offline::parse_slides(texts);
+  EXPECT_EQ(refusal_of([&] { offline::check_slides(many, tissues); }),
             "--slide: 33 tissues: expected at most 31");
 }
 
@@ -599,6 +679,7 @@ TEST(Slides, ARecipeSaysWhatSlides) {
   ASSERT_EQ(slides.size(), 2U);
   EXPECT_EQ(offline::text_of(slides[0]), "liver:muscle:0.1");
   EXPECT_EQ(offline::text_of(slides[1]), "fat:liver:0.25");
+  EXPECT_THAT(slides[1].from, testing::EndsWith("r.toml:7: [[slide]]"));
   for (const char* bad :
        {"[slide]\ntissue = \"a\"\n", "[[slide]]\ntissue = \"a\"\n",
         "[[slide]]\ntissue = \"a\"\non = 1\n", "[[slide]]\ntissue = \"a\"\non = \"b\"\nx = 1\n"}) {
@@ -626,7 +707,7 @@ TEST(Slides, TheOptionIsInTheFile) {
   settings.slides = {"muscle:liver"};
   options = offline::common_options(settings, 1e-3);
   EXPECT_EQ(refusal_of([&] { offline::choose_for_meshes(settings, inputs, options); }),
-            "--slide 'muscle:liver:0.1': liver: expected the tissue of one of the inputs");
+            "--slide 'muscle:liver': liver: expected the tissue of one of the inputs");
 }
 
 }  // namespace

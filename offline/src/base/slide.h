@@ -11,6 +11,7 @@ constexpr double kUsualFriction = 0.1;  // Coulomb's coefficient between wet tis
 struct Slide {
   std::string tissue, ground;
   double friction = kUsualFriction;
+  std::string from;  // where the user wrote it, for messages
 };
 
 }  // namespace stylet::offline

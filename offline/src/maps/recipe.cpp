@@ -223,7 +223,8 @@ std::vector<Slide> read_slides(const std::string& file, const toml::node& node) 
         !ground->is_string()) {
       refuse(fmt::runtime(wanted), place_of(file, each));
     }
-    slides.push_back({*tissue->value<std::string>(), *ground->value<std::string>()});
+    slides.push_back({*tissue->value<std::string>(), *ground->value<std::string>(), kUsualFriction,
+                      place_of(file, each) + ": [[slide]]"});
     if (friction == nullptr) continue;
     slides.back().friction =
         number_of(file, "friction", *friction, static_cast<double>(kMaxSlideFriction));

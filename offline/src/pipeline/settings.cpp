@@ -168,7 +168,7 @@ void choose_for_labels(const Settings& s, const LabelSource& source, const Recip
   choose_capsule(s, tissues, options);
   std::ranges::copy(recipe.slides, std::back_inserter(options.slides));
   for (const WallLayer& layer : recipe.wall) tissues.push_back(layer.tissue);
-  check_slides(options.slides, tissues);
+  check_slides(options, tissues);
 }
 
 void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, BuildOptions& options) {
@@ -182,7 +182,7 @@ void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, Buil
   choose_gaps(s, options);
   choose_layers(s, tissues, options);
   choose_capsule(s, tissues, options);
-  check_slides(options.slides, tissues);
+  check_slides(options, tissues);
 }
 
 }  // namespace stylet::offline

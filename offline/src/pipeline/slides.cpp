@@ -2,11 +2,14 @@
 #include "pipeline/slides.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <limits>
+#include <unordered_map>
 
 #include "base/most_off.h"
 #include "base/refusal.h"
+#include "meshes/refine_near.h"
 #include "meshes/triangle_tree.h"
 #include "stylet/limits.h"
 
@@ -52,11 +55,28 @@ std::size_t number_in(const std::vector<std::string>& tissues, const std::string
   return static_cast<std::size_t>(std::ranges::find(tissues, tissue) - tissues.begin());
 }
 
-// How often a tissue is said to slide on another.
-std::ptrdiff_t count_of(const std::vector<Slide>& slides, const std::string& tissue,
-                        const std::string& ground) {
-  return std::ranges::count_if(
-      slides, [&](const Slide& slide) { return slide.tissue == tissue && slide.ground == ground; });
+void refuse_unknown(const Slide& slide, const std::string& tissue, const BuildOptions& options) {
+  const bool is_layer = std::ranges::any_of(
+      options.layers, [&](const Layer& layer) { return layer.tissue == tissue; });
+  if (is_layer) {
+    refuse(
+        "{}: {} is a layer, and layers slide with the input that they divide: expected the input's "
+        "tissue, {}",
+        slide.from, tissue, options.layer_course.of);
+  }
+  refuse("{}: {}: expected the tissue of one of the inputs", slide.from, tissue);
+}
+
+// Refuses a slide of two tissues that an earlier one has.
+void check_repeated(const Slide& slide, const Slide& earlier) {
+  if (slide.tissue == earlier.tissue && slide.ground == earlier.ground) {
+    refuse("{}: {} slides on {} already ({}): expected each two tissues once", slide.from,
+           slide.tissue, slide.ground, earlier.from);
+  }
+  if (slide.tissue == earlier.ground && slide.ground == earlier.tissue) {
+    refuse("{}: {} slides on {} already ({}): expected only one of two tissues to be the ground",
+           slide.from, earlier.tissue, earlier.ground, earlier.from);
+  }
 }
 
 // The surfaces of all inputs with a tissue.
@@ -91,10 +111,15 @@ std::vector<bool> inside(const Mesh& mesh, const TriangleTree& other) {
 }
 
 // What a stronger input leaves of a weaker one, whose volume it takes: a body around an organ has
-// the organ's surface as its inner one.
-Mesh left_of(const Mesh& weak, const Mesh& strong) {
-  const std::vector<bool> taken = inside(weak, triangle_tree(strong.points, strong.triangles));
-  const std::vector<bool> inner = inside(strong, triangle_tree(weak.points, weak.triangles));
+// the organ's surface as its inner one. Where the two cross, triangles are at most `finest_m` long,
+// since each is taken whole or not at all.
+Mesh left_of(const Mesh& whole_weak, const Mesh& whole_strong, double finest_m) {
+  const Mesh weak = refined_near(whole_weak, whole_strong, finest_m);
+  const Mesh strong = refined_near(whole_strong, whole_weak, finest_m);
+  const std::vector<bool> taken =
+      inside(weak, triangle_tree(whole_strong.points, whole_strong.triangles));
+  const std::vector<bool> inner =
+      inside(strong, triangle_tree(whole_weak.points, whole_weak.triangles));
   Mesh left = {weak.points, {}}, turned = {strong.points, {}};
   for (std::size_t i = 0; i < weak.triangles.size(); ++i) {
     if (!taken[i]) left.triangles.push_back(weak.triangles[i]);
@@ -107,21 +132,48 @@ Mesh left_of(const Mesh& weak, const Mesh& strong) {
   return left;
 }
 
-void warn_of_area(const Slide& slide, const SlideArea& area, double edge_m,
+// The volume that the inputs of two tissues both claim, without what is cut away.
+double overlap_m3(const Claimed& claimed, const std::string& one, const std::string& other) {
+  const Grid& grid = claimed.claims.grid;
+  std::unordered_map<std::uint32_t, std::array<std::uint64_t, 2>> inside;  // by cell
+  for (const Claims::Share& share : claimed.claims.shares) {
+    if (!claimed.cut.empty() && claimed.cut[share.cell] != 0) continue;
+    if (claimed.tissues[share.owner] == one) inside[share.cell][0] |= share.inside;
+    if (claimed.tissues[share.owner] == other) inside[share.cell][1] |= share.inside;
+  }
+  double cells = 0;
+  for (const auto& [cell, of] : inside) cells += std::popcount(of[0] & of[1]) / 64.0;
+  return cells * grid.edge_m * grid.edge_m * grid.edge_m;
+}
+
+// Why no surface of a tissue faces its ground.
+std::string why_none(const Slide& slide, const Claimed& claimed) {
+  const double overlap_ml = overlap_m3(claimed, slide.tissue, slide.ground) * 1e6;
+  if (overlap_ml > 0) {
+    return fmt::format(
+        "they overlap by {:.3g} ml: expected surfaces that touch, or nearly, or a higher priority "
+        "for one of the two",
+        overlap_ml);
+  }
+  return "they are apart there and nothing keeps one out of the other: expected surfaces that "
+         "touch, or nearly";
+}
+
+void warn_of_area(const Slide& slide, const SlideArea& area, const Claimed& claimed,
                   std::vector<std::string>& warnings) {
+  const double edge_m = claimed.claims.grid.edge_m;
   if (!(area.facing > 0)) {
-    warnings.push_back(fmt::format(
-        "slide {}: no surface of {} faces {} within {:.3g} mm: expected surfaces that touch, or "
-        "nearly; they are apart and nothing keeps one out of the other",
-        text_of(slide), slide.tissue, slide.ground, kSlideReachM * 1e3));
+    warnings.push_back(fmt::format("{}: no surface of {} faces {} within {:.3g} mm{}; {}",
+                                   slide.from, slide.tissue, slide.ground, kSlideReachM * 1e3,
+                                   claimed.cut.empty() ? "" : " in what --crop leaves",
+                                   why_none(slide, claimed)));
     return;
   }
   const auto tell = [&](double part, const char* why) {
     if (part <= kMostOff * area.facing) return;
     warnings.push_back(fmt::format(
-        "slide {}: {:.3g} of {:.3g} cm2 are left out, because {}: there they pass through each "
-        "other",
-        text_of(slide), part * edge_m * edge_m * 1e4, area.facing * edge_m * edge_m * 1e4, why));
+        "{}: {:.3g} of {:.3g} cm2 are left out, because {}: there they pass through each other",
+        slide.from, part * edge_m * edge_m * 1e4, area.facing * edge_m * edge_m * 1e4, why));
   };
   tell(area.without_voxel,
        "another tissue joins both parts, or they overlap: expected a gap or "
@@ -129,6 +181,23 @@ void warn_of_area(const Slide& slide, const SlideArea& area, double edge_m,
   tell(area.without_ground,
        "the ground has no voxel near them: expected a finer voxel edge, or a "
        "thicker ground");
+}
+
+// Whether both have voxels; else the user is told.
+bool have_voxels(const Slide& slide, const std::vector<std::string>& sliding,
+                 const Lattice& lattice, std::vector<std::string>& warnings) {
+  std::uint32_t all = 0;
+  for (const std::uint32_t sides : lattice.sides) all |= sides;
+  bool have = true;
+  for (const std::string& tissue : {slide.tissue, slide.ground}) {
+    if ((all & 2U << number_in(sliding, tissue)) != 0) continue;
+    have = false;
+    warnings.push_back(
+        fmt::format("{}: {} has no voxel, so that nothing slides: expected some of it that is "
+                    "neither cropped away nor covered by a tissue of higher priority",
+                    slide.from, tissue));
+  }
+  return have;
 }
 
 }  // namespace
@@ -140,7 +209,7 @@ std::vector<Slide> parse_slides(const std::vector<std::string>& texts) {
     const bool has_names =
         (words.size() == 2 || words.size() == 3) && !words[0].empty() && !words[1].empty();
     if (!has_names) refuse("--slide '{}': expected TISSUE:GROUND or TISSUE:GROUND:FRICTION", text);
-    slides.push_back({words[0], words[1]});
+    slides.push_back({words[0], words[1], kUsualFriction, fmt::format("--slide '{}'", text)});
     if (words.size() == 3) slides.back().friction = friction_of(text, words[2]);
   }
   return slides;
@@ -150,18 +219,18 @@ std::string text_of(const Slide& slide) {
   return fmt::format("{}:{}:{}", slide.tissue, slide.ground, slide.friction);
 }
 
-void check_slides(const std::vector<Slide>& slides, const std::vector<std::string>& tissues) {
-  for (const Slide& slide : slides) {
-    for (const std::string& tissue : {slide.tissue, slide.ground}) {
+void check_slides(const BuildOptions& options, const std::vector<std::string>& tissues) {
+  const std::vector<Slide>& slides = options.slides;
+  for (std::size_t i = 0; i < slides.size(); ++i) {
+    for (const std::string& tissue : {slides[i].tissue, slides[i].ground}) {
       if (std::ranges::find(tissues, tissue) != tissues.end()) continue;
-      refuse("--slide '{}': {}: expected the tissue of one of the inputs", text_of(slide), tissue);
+      refuse_unknown(slides[i], tissue, options);
     }
-    const bool is_once = count_of(slides, slide.tissue, slide.ground) == 1 &&
-                         count_of(slides, slide.ground, slide.tissue) == 0;
-    if (!is_once) {
-      refuse("--slide '{}': expected two tissues, and each two once: one of them is the ground",
-             text_of(slide));
+    if (slides[i].tissue == slides[i].ground) {
+      refuse("{}: {} cannot slide on itself: expected two tissues", slides[i].from,
+             slides[i].tissue);
     }
+    for (std::size_t j = 0; j < i; ++j) check_repeated(slides[i], slides[j]);
   }
   const std::size_t sides = sliding_tissues(slides).size();
   if (sides > kMostSides) refuse("--slide: {} tissues: expected at most {}", sides, kMostSides);
@@ -204,13 +273,15 @@ SlideLists place_slides(const std::vector<Slide>& slides, const Claimed& claimed
     if (tissue_m.triangles.empty() || ground_m.triangles.empty()) continue;
     const int of_tissue = priority_of(claimed, slide.tissue);
     const int of_ground = priority_of(claimed, slide.ground);
-    if (of_tissue > of_ground) ground_m = left_of(ground_m, tissue_m);
-    if (of_tissue < of_ground) tissue_m = left_of(tissue_m, ground_m);
+    const double finest_m = lattice.grid.edge_m / 4;
+    if (of_tissue > of_ground) ground_m = left_of(ground_m, tissue_m, finest_m);
+    if (of_tissue < of_ground) tissue_m = left_of(tissue_m, ground_m, finest_m);
   }
   SlideLists lists = list_slides(parts, pairs, lattice, claimed.cut);
   const double edge_m = lattice.grid.edge_m;
   for (std::size_t i = 0; i < slides.size(); ++i) {
-    warn_of_area(slides[i], lists.areas[i], edge_m, warnings);
+    if (!have_voxels(slides[i], sliding, lattice, warnings)) continue;
+    warn_of_area(slides[i], lists.areas[i], claimed, warnings);
   }
   if (lists.points.size() > kMaxSlidePoints) {
     refuse(

@@ -18,9 +18,10 @@ namespace stylet::offline {
 // Each text is TISSUE:GROUND or TISSUE:GROUND:FRICTION.
 std::vector<Slide> parse_slides(const std::vector<std::string>& texts);
 
-// Refuses tissues that no input has, and pairs that are there twice.
-void check_slides(const std::vector<Slide>& slides, const std::vector<std::string>& tissues);
+// Refuses slides of tissues that no input has, and pairs that are there twice.
+void check_slides(const BuildOptions& options, const std::vector<std::string>& tissues);
 
+// TISSUE:GROUND:FRICTION
 std::string text_of(const Slide& slide);
 
 // Which owners are apart; `tissues` are those of the owners.

@@ -34,6 +34,27 @@ std::uint32_t voxel_at_node(const VoxelGrid& grid, std::int64_t x, std::int64_t 
 
 }  // namespace
 
+namespace {
+
+// Marks pieces that lie on a held one, or bear it, maybe by way of others. `number` is the piece of
+// each voxel.
+void mark_borne(const Organ& organ, const std::vector<std::uint32_t>& number,
+                std::vector<LatticePiece>& pieces) {
+  std::vector<std::uint32_t> parent = each_by_itself(pieces.size());
+  for (const OrganSlidePoint& point : organ.slide_points) {
+    join(parent, number[point.voxel], number[organ.slide_grounds[point.ground].voxel]);
+  }
+  std::vector<bool> any_held(pieces.size(), false);
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].held) any_held[root_of(parent, i)] = true;
+  }
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    pieces[i].borne = !pieces[i].held && any_held[root_of(parent, i)];
+  }
+}
+
+}  // namespace
+
 // Pieces connected through shared nodes within a sheet, and through ties between sheets.
 std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
   const std::vector<Cell> cells = lattice_cells_of(organ);
@@ -59,6 +80,7 @@ std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
       number[root] = static_cast<std::uint32_t>(pieces.size());
       pieces.emplace_back();
     }
+    number[voxel] = number[root];
     LatticePiece& piece = pieces[number[root]];
     ++piece.voxels;
     piece.volume_m3 += organ.voxel_fill[voxel] / 255.0 * edge * edge * edge;
@@ -66,6 +88,7 @@ std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
     piece.held = piece.held || corners != 0;
     piece.moves = piece.moves || corners != kAllCorners;
   }
+  mark_borne(organ, number, pieces);
   std::stable_sort(pieces.begin(), pieces.end(), [](const LatticePiece& a, const LatticePiece& b) {
     return a.voxels > b.voxels;
   });
@@ -74,7 +97,7 @@ std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
 
 std::vector<std::string> held_findings(const std::vector<LatticePiece>& pieces) {
   const auto count = [&](auto is) { return std::count_if(pieces.begin(), pieces.end(), is); };
-  const auto floating = count([](const LatticePiece& p) { return !p.held; });
+  const auto floating = count([](const LatticePiece& p) { return !p.held && !p.borne; });
   const auto rigid = count([](const LatticePiece& p) { return !p.moves; });
   std::vector<std::string> findings;
   if (floating > 0 && pieces.size() > 1) {

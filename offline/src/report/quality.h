@@ -15,12 +15,12 @@
 
 namespace stylet::offline {
 
-// Voxels connected through shared corners. A piece without a held corner floats; one without a free
-// corner does not move.
+// Voxels connected through shared corners. A piece without a held corner floats, unless it is
+// borne: it slides on a held piece, or that on it. One without a free corner does not move.
 struct LatticePiece {
   std::size_t voxels = 0;
   double volume_m3 = 0;
-  bool held = false, moves = false;
+  bool held = false, moves = false, borne = false;
 };
 
 std::vector<LatticePiece> lattice_pieces(const Organ& organ);  // the largest first
