@@ -28,7 +28,7 @@ BROWSER = SOURCE / "hal/hosts/browser"
 PACKAGE = BUILD / "browser/package"
 SKIPPED = 77
 # 200 kB and what contact between parts of an organ that slide takes.
-MOST_BYTES = 206_000
+MOST_BYTES = 207_000
 README = re.search(r"^```js\n(.*?)^```", (BROWSER / "package/README.md").read_text(),
                    re.S | re.M)[1]
 PAGE = """<!doctype html><meta charset="utf-8"><script type="importmap">
