@@ -133,7 +133,7 @@ OFFLINE = {
                     [["offline_organ_test", "--gtest_filter=Membranes.*"],
                      ["offline_slides_test"]]),
     **dict.fromkeys(("voxels/slides", "voxels/apart", "pipeline/slides", "meshes/near_surface",
-                     "voxels/sample_owners"),
+                     "meshes/refine_near", "voxels/sample_owners"),
                     [["offline_slides_test"], SHEETS, LOSSES]),
     "asset/materials": [["fuzz_tissues", SOURCE / "tests/fuzz/seeds/tissues"], ORGANS,
                   ["offline_program_test", "--gtest_filter=Program.Own*"], MAPS, REAL_BODY],

@@ -29,15 +29,6 @@ offline::Built build_quietly(const LabelMap& map, const Recipe& recipe,
   return offline::build_labels("map.nrrd", map, recipe, options, [](const char*, double) {});
 }
 
-std::string refusal_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const offline::Refusal& refused) {
-    return refused.what();
-  }
-  return "";
-}
-
 std::string nrrd(const std::string& space, const std::string& directions, const std::string& voxels,
                  const std::string& type = "uchar") {
   return "NRRD0004\ntype: " + type + "\ndimension: 3\nspace: " + space +

@@ -30,16 +30,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-template <typename Call>
-std::string refusal_of(const Call& call) {
-  try {
-    call();
-  } catch (const offline::Refusal& refused) {
-    return refused.what();
-  }
-  return "";
-}
-
 Membrane membrane_of(Mesh mesh_m, const std::string& tissue = "dura") {
   Membrane membrane;
   membrane.from = "test.off";

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <concepts>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <string>
 
+#include "base/refusal.h"
 #include "data_folder.h"
 #include "pipeline/build.h"
 #include "stylet/organ.h"
@@ -40,6 +42,17 @@ struct Scratch {
     return folder / name;
   }
 };
+
+// What a call is refused with; nothing if it is not.
+template <std::invocable Call>
+std::string refusal_of(const Call& call) {
+  try {
+    call();
+  } catch (const offline::Refusal& refused) {
+    return refused.what();
+  }
+  return "";
+}
 
 inline std::string slurp(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);

@@ -21,16 +21,6 @@ using offline::Settings;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-template <typename Call>
-std::string refusal_of(const Call& call) {
-  try {
-    call();
-  } catch (const offline::Refusal& refused) {
-    return refused.what();
-  }
-  return "";
-}
-
 Recipe recipe_with(const std::vector<std::string>& tissues) {
   Recipe recipe;
   for (std::uint16_t i = 0; i < tissues.size(); ++i) {

@@ -32,16 +32,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-template <typename Call>
-std::string refusal_of(const Call& call) {
-  try {
-    call();
-  } catch (const offline::Refusal& refused) {
-    return refused.what();
-  }
-  return "";
-}
-
 BuildOptions sliding(double voxel_mm, const std::string& text = "muscle:liver:0.2") {
   BuildOptions options;
   options.voxel_edge_m = voxel_mm * 1e-3;
@@ -512,6 +502,43 @@ TEST(Slides, TheGroundBearsTheWeight) {
     const double weight = 9.81 * density * 40e-3 * 40e-3 * (40 - level) * 1e-3;
     EXPECT_NEAR(force, weight, 0.05 * weight) << level;
     EXPECT_LT(view.state.head->max_displacement_m, 2e-3F) << level;
+  }
+}
+
+// A plate as thin as a voxel is the ground of a slab and slides on another: each bears what lies on
+// it.
+TEST(Slides, AThinPlateBetweenTwoBearsAndIsBorne) {
+  for (const double thick : {3.1, 5.0, 7.3}) {
+    BuildOptions options = sliding(5, "muscle:kidney:0");
+    // The last keeps the slab and the low one apart: the plate is too thin to do it.
+    options.slides = offline::parse_slides({"muscle:kidney:0", "liver:muscle:0", "liver:kidney:0"});
+    options.held = offline::parse_regions({"z<1"}, 1e-3);
+    const double top = 18.4 + thick;
+    const auto built =
+        build_quietly({input_of(box_mesh({0, 0, 0}, {60, 60, 18.4}), 1e-3, "kidney"),
+                       input_of(box_mesh({5, 5, 18.4}, {55, 55, top}), 1e-3, "muscle"),
+                       input_of(box_mesh({10, 10, top}, {50, 50, 45}), 1e-3, "liver")},
+                      options);
+    const Organ organ = opened(built.bytes);
+    Config config;
+    config.gravity_m_per_s2 = {0, 0, -9.81F};
+    Session session = make_session(organ, config);
+    for (int i = 0; i < 3000; ++i) (void)tick(session.kernel, Input{});
+    const View view = view_of(session.kernel);
+    std::map<std::string, double> force, mass;
+    for (std::uint32_t p = 0; p < view.model.head->counts.slide_points; ++p) {
+      const SlideContact& c = view.scratch.slide_contact[p];
+      force[material_of(organ, organ.slide_points[p].voxel)] +=
+          static_cast<double>(view.state.slide[p].stiffness_n_per_m * c.depth_m * c.slope.z);
+    }
+    for (std::uint32_t voxel = 0; voxel < organ.voxel_count; ++voxel) {
+      const auto material = organ_material(organ, organ.voxel_material[voxel]);
+      mass[material_of(organ, voxel)] += static_cast<double>(material.density_kg_per_m3) * 125e-9 *
+                                         organ.voxel_fill[voxel] / 255.0;
+    }
+    EXPECT_NEAR(force["liver"], 9.81 * mass["liver"], 0.05 * 9.81 * mass["liver"]) << thick;
+    const double both = 9.81 * (mass["liver"] + mass["muscle"]);
+    EXPECT_NEAR(force["muscle"], both, 0.05 * both) << thick;
   }
 }
 

@@ -18,15 +18,6 @@
 namespace stylet::test {
 namespace {
 
-std::string refusal_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const offline::Refusal& refused) {
-    return refused.what();
-  }
-  return "";
-}
-
 std::filesystem::path bench_of(const Scratch& scratch, const std::string& rows) {
   return scratch.write("box.csv", "measure,organ,voxels,substeps,passes,median_us,ns\n" + rows);
 }

@@ -34,7 +34,7 @@ constexpr Price kPrices[] = {
     {"padded particle and substep", 21},
     {"voxel row and substep", 281},
     {"tie and substep", 125},
-    {"point of a surface that slides and substep", 2300},
+    {"point of a surface that slides and substep", 2100},
     {"padded particle and substep where parts slide", 16},
     {"padded voxel and pass of the filter", 11},
     {"padded particle and pass of the filter", 12},

@@ -218,7 +218,7 @@ TEST(Slides, TheBooksHaveWhatFrictionTakes) {
       const double way_m = after.moved[0] - before.moved[0];
       const double expected_j = static_cast<double>(friction) * kGravity * after.kg * way_m;
       const double booked_j = energy(bodies.session.kernel).sliding - spent_j;
-      EXPECT_NEAR(booked_j, expected_j, 0.15 * expected_j + 1e-9) << friction << " " << period_s;
+      EXPECT_NEAR(booked_j, expected_j, 0.05 * expected_j + 1e-9) << friction << " " << period_s;
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "coupling/support.h"
 #include "coupling/track.h"
 #include "state/events.h"
+#include "state/layout.h"
 
 namespace stylet {
 namespace {

@@ -11,7 +11,7 @@ namespace {
 
 // Stiffness of a point over that of the softer part's voxel: so pressed parts come nearer to each
 // other by a quarter of what a voxel of them is compressed. The room that the step leaves for it
-// is inertia that surfaces have at every moment (add_slide_room): ten times would be thrice that.
+// is inertia that surfaces have at every moment (add_slide_room), in proportion to it.
 constexpr float kContactStiffness = 4.0F;
 // What contact may add to the bound on a particle's stiffness at most, in parts of what its voxels
 // have. More would cost passes of the filter everywhere. Where voxels are slivers, and where a fold
@@ -347,8 +347,9 @@ void fill_points(const Organ& organ, Model& model) {
     point.ground = given.ground;
     point.place = head.inverse_edge_per_m * (point.rest_m - ground.low_m);
     enter_voxel(model, point.ground, point.place);
-    // What overlaps at rest, by rounding or as it was drawn, rests there.
-    const Weights there = weights_at(point.place);
+    // What overlaps at rest, by rounding or as it was drawn, rests there. Across a gap the distance
+    // is that at the ground's end: trilinear weights grow without bound beyond it.
+    const Weights there = weights_at(within(point.place, -kBeyond, 1 + kBeyond));
     point.rest_outside_m = min_of(outside(model.ground[point.ground], there, head.edge_m).m, 0);
     const auto shear_pa = [&](std::uint32_t of_slot) {
       return head.material[model.slot_material[of_slot]].lattice_shear_pa;

@@ -5,7 +5,8 @@
 //
 // A point that has come below the ground's surface by a depth has the energy k depth^2 / 2, where
 // the depth is taken in the ground at rest: of the material that lies at the point now. The forces
-// on both parts are the exact slopes of that energy, so momentum, its moment and energy are kept.
+// are the slopes of that energy, with the ground's gradient of the substep before: equal and
+// opposite, so momentum is kept exactly; its moment and energy as far as a substep is short.
 // Friction is a spring along the surface that slips at its limit.
 //
 // Promises: no allocation; a fixed number of operations for each point; the same bits for any

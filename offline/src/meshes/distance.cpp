@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/distance.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
+#include "meshes/nearest_tree.h"
 
 namespace stylet::offline {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-Kernel::Point_3 point_of(Vec p) {
-  return {p.x, p.y, p.z};
-}
+using nearest::point_of;
+using nearest::Tree;
 
 double area_of(const Mesh& mesh, const Triangle& t) {
   const Vec a = mesh.points[t[0]];
@@ -52,12 +43,7 @@ void visit(const Tree& tree, const Mesh& mesh, const Triangle& t, int parts, Sum
 }  // namespace
 
 Deviation deviation(const Mesh& from, const Mesh& to) {
-  Triangles triangles;
-  triangles.reserve(to.triangles.size());
-  for (const Triangle& t : to.triangles) {
-    triangles.emplace_back(point_of(to.points[t[0]]), point_of(to.points[t[1]]),
-                           point_of(to.points[t[2]]));
-  }
+  const nearest::Triangles triangles = nearest::triangles_of(to);
   Tree tree(triangles.cbegin(), triangles.cend());
   tree.accelerate_distance_queries();
   double area = 0;

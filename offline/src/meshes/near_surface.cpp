@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshes/near_surface.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <unordered_map>
+
+#include "meshes/nearest_tree.h"
 
 namespace stylet::offline {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Aabb = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using nearest::point_of;
 
 // Nearer to an edge than this, in parts of the triangle's height over it, is on the edge.
 constexpr double kOnEdge = 1e-7;
-
-Kernel::Point_3 point_of(Vec p) {
-  return {p.x, p.y, p.z};
-}
 
 Vec unit(Vec v) {
   const double size = length(v);
@@ -43,8 +33,8 @@ struct NearSurface::Tree {
     Vec normal;  // sum over its triangles
     int triangles = 0;
   };
-  Triangles triangles;
-  Aabb aabb;
+  nearest::Triangles triangles;
+  nearest::Tree aabb;
   std::vector<Vec> of_triangle, of_point;
   std::vector<bool> is_rim;  // of each point
   std::unordered_map<std::uint64_t, Edge> edges;
@@ -52,10 +42,7 @@ struct NearSurface::Tree {
 
 NearSurface::NearSurface(const Mesh& mesh) : mesh_(mesh), tree_(std::make_unique<Tree>()) {
   if (mesh_.triangles.empty()) return;
-  for (const Triangle& t : mesh_.triangles) {
-    tree_->triangles.emplace_back(point_of(mesh_.points[t[0]]), point_of(mesh_.points[t[1]]),
-                                  point_of(mesh_.points[t[2]]));
-  }
+  tree_->triangles = nearest::triangles_of(mesh_);
   tree_->aabb.insert(tree_->triangles.cbegin(), tree_->triangles.cend());
   tree_->aabb.accelerate_distance_queries();
   add_normals();

@@ -287,9 +287,8 @@ class Slides {
       const Vec at = surface_[pair.part].nearest(bit.middle * (kSpacing / bit.area)).at;
       if (is_cut(at)) continue;
       areas.facing += area;
-      const Found own = find(at, kMostMoved, [&](std::uint32_t voxel) {
-        return is_of(voxel, pair.part) && !grounds_.contains(voxel);
-      });
+      const Found own =
+          find(at, kMostMoved, [&](std::uint32_t voxel) { return is_of(voxel, pair.part); });
       if (own.voxel == kNoVoxel) {
         areas.without_voxel += area;
         continue;

@@ -26,17 +26,11 @@ public sealed unsafe class Batch : IDisposable {
   // Many ticks of each: inputs of the first simulation, tick by tick and needle by needle, then of
   // the next; the answers likewise.
   public void Run(Input[] inputs, Output[] outputs) {
-    if (inputs.Length % needles != 0 || outputs.Length != inputs.Length) {
-      throw new ArgumentException(inputs.Length + " inputs, " + outputs.Length +
-                                  " outputs: expected as many, of whole ticks of " + needles);
-    }
-    if (inputs.Length == 0) return;
-    inputs[0].struct_bytes = (uint)sizeof(Input);
-    outputs[0].struct_bytes = (uint)sizeof(Output);
+    uint ticks = Simulation.TicksOf(inputs, outputs, needles);
+    if (ticks == 0) return;
     fixed (Input* given = inputs)
     fixed (Output* told = outputs) {
-      StyletException.Check(
-          Native.stylet_batch_run(handle, given, told, (uint)(inputs.Length / needles)));
+      StyletException.Check(Native.stylet_batch_run(handle, given, told, ticks));
     }
   }
 

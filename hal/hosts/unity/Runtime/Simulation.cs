@@ -212,20 +212,25 @@ public sealed unsafe class Simulation : IDisposable {
           Handle, given, (uint)Inputs.Length, told, (uint)Outputs.Length));
     }
   }
-  // Many ticks: inputs[tick * needles + needle]; the answers likewise.
-  public void Run(Input[] inputs, Output[] outputs) {
-    int needles = Inputs.Length;
+  // How many whole ticks these are; tells the library the sizes of the structs. (Not a method that
+  // takes what to call: that would allocate in each frame.)
+  internal static uint TicksOf(Input[] inputs, Output[] outputs, int needles) {
     if (inputs.Length % needles != 0 || outputs.Length != inputs.Length) {
       throw new ArgumentException(inputs.Length + " inputs, " + outputs.Length +
                                   " outputs: expected as many, of whole ticks of " + needles);
     }
-    if (inputs.Length == 0) return;
+    if (inputs.Length == 0) return 0;
     inputs[0].struct_bytes = (uint)sizeof(Input);
     outputs[0].struct_bytes = (uint)sizeof(Output);
+    return (uint)(inputs.Length / needles);
+  }
+  // Many ticks: inputs[tick * needles + needle]; the answers likewise.
+  public void Run(Input[] inputs, Output[] outputs) {
+    uint ticks = TicksOf(inputs, outputs, Inputs.Length);
+    if (ticks == 0) return;
     fixed (Input* given = inputs)
     fixed (Output* told = outputs) {
-      StyletException.Check(
-          Native.stylet_simulation_run(Handle, given, told, (uint)(inputs.Length / needles)));
+      StyletException.Check(Native.stylet_simulation_run(Handle, given, told, ticks));
     }
   }
   public void Reset() { StyletException.Check(Native.stylet_simulation_reset(Handle)); }
