@@ -19,6 +19,7 @@
 #include <type_traits>
 
 #include "base/lanes.h"
+#include "lattice/hanging.h"
 #include "lattice/lattice.h"
 #include "lattice/tiles.h"
 #include "state/layout.h"
@@ -36,6 +37,12 @@ struct Motion {
   // Largest displacement so far, as bits: as integers they have the order of floats.
   WideBits largest = {};
 };
+
+// Of the particles of a plane.
+inline float fastest_in(const Model& model, const Plane& plane) {
+  const ModelHead& head = *model.head;
+  return kMaxEdgesPerSubstep * head.level[plane.level].edge_m / head.substep_s;
+}
 
 inline Wide bounded(Wide velocity, const Motion& motion) {
   velocity = (velocity + kQuantum) - kQuantum;
@@ -87,6 +94,24 @@ struct Wave {
   float* sent(std::uint32_t j, std::uint32_t z) const { return at(j, 3 + z % 2); }
 };
 
+// The same for a graded lattice, whose passes each go through all planes, because nodes of one
+// plane hang on those of another: an array has all planes, each from its first tile of nodes.
+struct GradedWave {
+  float *starts, *bounds, *iterates, *sends;
+  float *work, *packed;
+  std::ptrdiff_t floats, all;  // of a plane's array, and of all planes'
+  const Plane* plane;
+
+  std::ptrdiff_t place(std::uint32_t z) const {
+    return static_cast<std::ptrdiff_t>(plane[z].tiles.node) * kTileFloats;
+  }
+  float* start(std::uint32_t z) const { return starts + place(z); }
+  float* bound(std::uint32_t z) const { return bounds + place(z); }
+  float* of_pass(std::uint32_t j) const { return j > 1 ? iterates + j % 3 * all : starts; }
+  float* iterate(std::uint32_t j, std::uint32_t z) const { return of_pass(j) + place(z); }
+  float* sent(std::uint32_t, std::uint32_t z) const { return sends + z % 2 * floats; }
+};
+
 Wave wave_in(const Model& model, float* memory) {
   const auto floats = static_cast<std::ptrdiff_t>(model.head->counts.tile_floats);
   const std::ptrdiff_t kept = kMaxFilterPasses + 1;
@@ -96,12 +121,20 @@ Wave wave_in(const Model& model, float* memory) {
           floats, model.head->filter.passes + 1};
 }
 
+GradedWave graded_wave_in(const Model& model, float* memory) {
+  const auto floats = static_cast<std::ptrdiff_t>(model.head->counts.tile_floats);
+  const std::ptrdiff_t all = static_cast<std::ptrdiff_t>(model.head->counts.tiles) * kTileFloats;
+  float* const sends = memory + kGradedArrays * all;
+  float* const work = sends + (kGradedPlanes - 1) * floats;
+  return {memory, memory + all, memory + 2 * all, sends, work, work + floats, floats, all,
+          model.plane};
+}
+
 // Brings a plane into the order of tiles. Lanes that are no place of the plane are zero.
 STYLET_KEEP_APART void start_plane(const Model& model, const State& state, const Scratch& scratch,
-                                   const Wave& wave, std::uint32_t z) {
+                                   std::uint32_t z, float* start, float* bounds) {
   const Plane& plane = model.plane[z];
   const PlaneTiles& own = plane.tiles;
-  float *const start = wave.start(z), *const bounds = wave.bound(z);
   const float* const w = state.wx + plane.particle_begin;
   const std::ptrdiff_t axis = state.wy - state.wx;
   const float* const bound = model.bound + plane.particle_begin;
@@ -230,14 +263,15 @@ inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iter
 // nearest cache until the nodes below them take it.
 constexpr std::ptrdiff_t kTilesTogether = 16;
 
-template <bool kStart>
-STYLET_KEEP_APART void pass_plane_as(const Model& model, const Wave& wave, std::uint32_t j,
+template <bool kStart, typename AnyWave>
+STYLET_KEEP_APART void pass_plane_as(const Model& model, const AnyWave& wave, std::uint32_t j,
                                      std::uint32_t z, float* to) {
   const Plane& plane = model.plane[z];
   const PlaneTiles& own = plane.tiles;
   const Tile *const nodes = model.tile + own.node, *const voxels = model.tile + own.voxel;
   const std::ptrdiff_t voxel_count = own.end - own.voxel;
-  const float *const last = wave.iterate(j, z), *const high = wave.iterate(j, z + 1);
+  const std::uint32_t above_z = z < model.head->counts.planes ? z + 1 : z;  // there: no voxels
+  const float *const last = wave.iterate(j, z), *const high = wave.iterate(j, above_z);
   const float* const below = wave.sent(j, z + 1);  // two planes in turn
   float* const above = wave.sent(j, z);
   const float* const bounds = wave.bound(z);
@@ -278,7 +312,8 @@ STYLET_KEEP_APART void pass_plane_as(const Model& model, const Wave& wave, std::
 
 // Pass j for the voxels of plane z and the particles below them, whose next iterates it writes to
 // `to`.
-inline void pass_plane(const Model& model, const Wave& wave, std::uint32_t j, std::uint32_t z,
+template <typename AnyWave>
+inline void pass_plane(const Model& model, const AnyWave& wave, std::uint32_t j, std::uint32_t z,
                        float* to) {
   if (j == 1) {
     pass_plane_as<true>(model, wave, j, z, to);
@@ -335,13 +370,25 @@ void move_plane(const Plane& plane, State& state, const float* velocity, std::pt
   motion_io = motion;
 }
 
-void move_filtered(const Model& model, State& state, const Wave& wave, std::uint32_t z,
-                   Motion& motion_io) {
+// `iterate`: the last pass's of the plane; `packed`: room for it in the order of particles.
+void move_filtered(const Model& model, State& state, const float* iterate, float* packed,
+                   std::uint32_t z, Motion& motion_io) {
   const Plane& plane = model.plane[z];
   const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
-  pack_plane(model.piece + plane.tiles.node, model.piece + plane.tiles.voxel, wave.work,
-             wave.packed, axis);
-  move_plane(plane, state, wave.packed, axis, motion_io);
+  pack_plane(model.piece + plane.tiles.node, model.piece + plane.tiles.voxel, iterate, packed,
+             axis);
+  motion_io.fastest = fastest_in(model, plane);
+  move_plane(plane, state, packed, axis, motion_io);
+}
+
+// Without passes the momenta are the velocities.
+void move_unfiltered(const Model& model, State& state, std::uint32_t begin, std::uint32_t end,
+                     Motion& motion_io) {
+  for (std::uint32_t z = begin; z < end; ++z) {
+    const Plane& plane = model.plane[z];
+    motion_io.fastest = fastest_in(model, plane);
+    move_plane(plane, state, state.wx + plane.particle_begin, state.wy - state.wx, motion_io);
+  }
 }
 
 // Filters and moves the particles of planes [begin, end).
@@ -350,10 +397,7 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
   const std::uint32_t passes = model.head->filter.passes;
   const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
   if (passes == 0) {
-    for (std::uint32_t z = begin; z < end; ++z) {  // the momenta are the velocities
-      const Plane& plane = model.plane[z];
-      move_plane(plane, state, state.wx + plane.particle_begin, state.wy - state.wx, motion);
-    }
+    move_unfiltered(model, state, begin, end, motion);
     return;
   }
   const Wave wave = wave_in(model, floats);
@@ -372,7 +416,7 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     }
   }
   for (std::uint32_t t = first_of(1); t < end + passes; ++t) {
-    if (t < end_of(1)) start_plane(model, state, scratch, wave, t);
+    if (t < end_of(1)) start_plane(model, state, scratch, t, wave.start(t), wave.bound(t));
     for (std::uint32_t j = 1; j < passes && j <= t; ++j) {
       const std::uint32_t z = t - j;
       if (z < first_of(j) || (z + 1 >= end_of(j) && z + 1 != planes)) continue;
@@ -382,7 +426,65 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     const std::uint32_t z = t - passes;
     pass_plane(model, wave, passes, z, wave.work);
     // Before `begin`, only what its voxels give to the first plane is needed.
-    if (z >= begin) move_filtered(model, state, wave, z, motion);
+    if (z >= begin) move_filtered(model, state, wave.work, wave.packed, z, motion);
+  }
+}
+
+// ---- graded lattices ------------------------------------------------------------------------------
+
+// What hanging nodes got in pass j goes to their masters, and they follow these. A node's iterate
+// less the parts of those before it is what it got.
+void pass_hanging(const Model& model, const GradedWave& wave, std::uint32_t j) {
+  const FilterPass& pass = model.head->filter.pass[j - 1];
+  const float *const first = wave.starts, *const before = wave.of_pass(j - 1);
+  const float* const last = wave.of_pass(j);
+  float* const next = wave.of_pass(j + 1);
+  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const std::uint32_t at = model.hanging_place[i].node + c * kTile;
+      const float earlier = j > 1 ? pass.first * first[at] + pass.before * before[at] : 0;
+      next[at] = next[at] - (pass.last * last[at] + earlier);
+    }
+  }
+  give_in_tiles(model, next);
+  follow(model, model.hanging_place, next, kTile);
+}
+
+// Filters and moves all particles.
+void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
+  const std::uint32_t passes = model.head->filter.passes;
+  const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
+  if (passes == 0) {
+    move_unfiltered(model, state, 0, planes, motion);
+    return;
+  }
+  const GradedWave wave = graded_wave_in(model, scratch.filter);
+  const auto empty = [](float* tile) { std::fill_n(tile, kTileFloats, 0.0F); };
+  for (std::uint32_t i = 0; i < kGradedPlanes; ++i) empty(wave.sends + i * wave.floats);
+  for (std::uint32_t z = 0; z < planes; ++z) {
+    for (std::uint32_t i = 0; i < kGradedArrays; ++i) empty(wave.start(z) + i * wave.all);
+    start_plane(model, state, scratch, z, wave.start(z), wave.bound(z));
+  }
+  follow(model, model.hanging_place, wave.starts, kTile);
+  for (std::uint32_t j = 1; j <= passes; ++j) {
+    for (std::uint32_t z = 0; z < planes; ++z) {
+      pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
+    }
+    pass_hanging(model, wave, j);
+  }
+  for (std::uint32_t z = 0; z < planes; ++z) {
+    move_filtered(model, state, wave.iterate(passes + 1, z), wave.packed, z, motion);
+  }
+}
+
+// After the sweep: hanging nodes give their momentum to their masters. Then all particles move, and
+// the nodes follow.
+void finish_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
+  give_momentum(model, state);
+  filter_graded(model, state, scratch, motion);
+  const std::ptrdiff_t axis = state.uy - state.ux;
+  for (float* const values : {&state.ux[0], &state.vx[0], &state.ex[0]}) {
+    follow(model, model.hanging, values, axis);
   }
 }
 

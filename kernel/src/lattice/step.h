@@ -118,7 +118,7 @@ void sweep_plane(const Model& model, State& state, Scratch& scratch, const Plane
   for (std::uint32_t from = 0; from < count; from += kChunk) {
     const std::uint32_t lanes = count - from < kChunk ? count - from : kChunk;
     row = sum_rows(places, sums, row, end, at + front, from + kChunk - front);
-    match_slots(head, slots, from, front, lanes, carry);
+    match_slots(head, head.level[plane.level], slots, from, front, lanes, carry);
     for (; open != row && open->slot + open->count < at + from + lanes; ++open) {
     }
     const Window* const to =
@@ -218,6 +218,7 @@ void take_slides(const Model& model, Scratch& scratch, const Plane& plane, float
 // Applies all forces on the particles of a plane.
 void finish_particles(const Model& model, State& state, Scratch& scratch, const Plane& plane,
                       float* force, Motion& motion) {
+  motion.fastest = fastest_in(model, plane);
   add_changes(model, scratch, static_cast<std::uint32_t>(&plane - model.plane), force);
   if (has_slides(model)) take_slides(model, scratch, plane, force);
   join_tied(model.tie + plane.tie_begin, model.tie + plane.tie_end, force, plane.particle_begin,
@@ -326,8 +327,7 @@ void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part
 
 Motion start_motion(const ModelHead& head) {
   return {head.substep_s, head.config.tissue_damping_s,
-          1 - head.substep_s * head.config.surround_drag_per_s,
-          kMaxEdgesPerSubstep * head.edge_m / head.substep_s};
+          1 - head.substep_s * head.config.surround_drag_per_s, 0};
 }
 
 // Groups of coupled voxels [begin, end) whose voxels are all in one slab.
@@ -420,7 +420,9 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
     clear(view.model, view.scratch.force);
     clear(view.model, view.scratch.force + 3 * std::size_t{head.counts.particles_per_plane});
     sweep_planes(view.model, view.state, view.scratch, whole, motion);
-    if (has_true_mass(view.model)) {
+    if (is_graded(view.model)) {
+      finish_graded(view.model, view.state, view.scratch, motion);
+    } else if (has_true_mass(view.model)) {
       filter_planes(view.model, view.state, view.scratch, 0, head.counts.planes + 1,
                     view.scratch.filter, motion);
     }
@@ -436,7 +438,9 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
       below =
           join_part(view.model, view.state, view.scratch, below, own.up ? helping : own, motion);
     }
-    if (has_true_mass(view.model)) {
+    if (is_graded(view.model)) {
+      finish_graded(view.model, view.state, view.scratch, motion);
+    } else if (has_true_mass(view.model)) {
       sweep_together(kernel, filter_part);
       for (std::uint32_t s = 0; s < team.slab_count; ++s) join(motion, team.part[s]);
     }

@@ -27,7 +27,8 @@ struct PlaneTiles {
 
 struct Plane {
   std::uint32_t row_begin;                     // the next plane's row_begin is the end
-  std::uint32_t z;                             // in space, of the particles at the low side
+  std::uint32_t z;                             // in the lattice, of the particles at the low side
+  std::uint32_t level, z_in_level;             // in space, in edges of its level
   std::uint32_t slot_begin, slot_end;          // multiples of kLanes
   std::uint32_t particle_begin, particle_end;  // of the particles at the plane's low side
   std::uint32_t window_begin[2], window_end[2];
@@ -38,6 +39,15 @@ struct Plane {
 // Two nodes that are one particle, in different sheets of the lattice.
 struct TiedNode {
   std::uint32_t node, representative;
+};
+
+// A node on the surface of a coarser voxel. It moves as that voxel's corners around it do, its
+// masters: with their weights, which add up to 1. What is given to the node goes to them, each the
+// `share` of it: weight, times the master's mobility over the node's own. Less than four masters:
+// weights and shares 0.
+struct HangingNode {
+  std::uint32_t node, master[4];
+  float weight[4], share[4];
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows

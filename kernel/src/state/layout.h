@@ -40,13 +40,14 @@ struct Counts {
   std::uint32_t particles_per_plane;
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;
+  std::uint32_t levels, hanging;   // one level and no node, unless the lattice is graded
   std::uint32_t stiffening_slots;  // zero if no tissue stiffens
   std::uint32_t needles;
   std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
   std::uint32_t fluids;                       // needles, or zero if the hubs of all are closed
   // Parts that slide on each other: points and grounds; particles, and 1; zero if there are none.
   std::uint32_t slide_points, grounds, slid_particles, slides;
-  // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
+  // Zero where a particle moves at once, with added mass and one level: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
   // of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
   std::uint32_t tiles, tile_floats;
@@ -58,12 +59,17 @@ struct Counts {
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
 
+// Of a voxel of some level, with the skin spread over it: shear modulus, and lambda over twice that
+// modulus.
+struct LatticeMaterial {
+  float shear_pa, volume_ratio;
+};
+
 // What the tick needs to know of a material; derived once.
 struct MaterialModel {
   float shear_pa, poisson_ratio;  // without its thin skin
   float skin_shear_n_per_m;       // of the skin: modulus times thickness
-  // Of a voxel, with the skin spread over it: shear modulus, and lambda over twice that modulus.
-  float lattice_shear_pa, lattice_volume_ratio;
+  LatticeMaterial lattice[kMaxLevels];
   float stiffening;
   float puncture_exponent;
   float relaxing_fraction, relaxation_time_s;
@@ -84,13 +90,20 @@ struct Rules {
   bool planes_in_voxels;  // a voxel where two tissues meet knows the plane between them
 };
 
+// One level of the lattice; level 0 is the coarsest, each has half the edge of the one before.
+struct Level {
+  float edge_m, inverse_edge_per_m;
+  std::uint32_t first_plane, planes;  // voxel planes in the lattice (organ/levels.h)
+};
+
 struct ModelHead {
   Organ organ;      // a copy: only the file's bytes are the caller's
   std::byte* team;  // see set_team; here, so that all copies of a Kernel know it
   Config config;
   Counts counts;
   std::uint64_t organ_hash;
-  float edge_m, inverse_edge_per_m;
+  float edge_m, inverse_edge_per_m;  // of level 0
+  Level level[kMaxLevels];
   Vec3 origin_m;
   std::uint16_t size_x, size_y, size_z, sheet_rows;
   Rules rules;
@@ -273,6 +286,10 @@ struct ScratchHead {
   F(piece, Piece, c.tiles)                                                               \
   /* tied_place: tied nodes by their places in tiles */                                  \
   F(tied_place, TiedNode, c.filtered_ties)                                               \
+  /* hanging: nodes on the surface of coarser voxels (lattice/hanging.h) */              \
+  F(hanging, HangingNode, c.hanging)                                                     \
+  /* hanging_place: the same by their places in the tiles of all planes */               \
+  F(hanging_place, HangingNode, c.hanging)                                               \
   /* row_of: first row of a place (y, z), to find the row of a voxel */                  \
   F(row_of, std::uint32_t, c.row_grid)                                                   \
   /* voxel_slot: slot of each of the organ file's voxels */                              \
@@ -491,6 +508,10 @@ inline bool has_membranes(const Model& model) {
 inline bool has_slides(const Model& model) {
   return model.head->counts.slides != 0;
 }
+inline bool is_graded(const Model& model) {
+  return model.head->counts.levels > 1;
+}
+// Or several levels, where masters move once all have given them what they got.
 inline bool has_true_mass(const Model& model) {
   return model.head->counts.filtered_particles != 0;
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes that hang on coarser voxels: what joins the levels of a graded lattice.
+//
+// A hanging node is where its voxel's surface is: u = sum of w u over the voxel's corners around
+// it, its masters. So neighbouring levels fit together without a gap, and a linear displacement is
+// linear across them. By virtual work its forces go to its masters with the same weights, and so
+// does its mass: momentum, its moment and energy are kept. A master may hang itself, on a coarser
+// level. So what nodes give goes from fine to coarse, and how they follow from coarse to fine; the
+// list has the coarse ones first.
+//
+// A hanging node has a mobility (step over mass) like every particle, so the sweep and the passes
+// treat it like one: what it would get then passes on to its masters, scaled by the mobilities.
+//
+// Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 3a.
+#pragma once
+
+#include "state/layout.h"
+
+namespace stylet {
+
+// At creation. Nodes, masters and weights; needs rows and ties.
+void fill_hanging(const Organ& organ, Model& model);
+// Adds what belongs to hanging nodes (mass, bounds on stiffness) to that of their masters.
+void add_to_masters(const Model& model, float* of_particles);
+// Whether a particle hangs.
+bool hangs(const Model& model, std::uint32_t particle);
+// The nodes' mobilities and shares, and their places in the tiles of the passes; needs the masters'
+// mobilities, with 0 where they are attached.
+void fill_shares(Model& model);
+
+// In a step: what nodes have got they give to their masters. Of particles, momentum over mass: then
+// it is 0 at the nodes. In the tiles of all planes: an iterate of the passes.
+void give_momentum(const Model& model, State& state);
+void give_in_tiles(const Model& model, float* values);
+// Nodes get the values that follow from their masters': x, y, z, `axis` apart, of particles or in
+// tiles (`list` is model.hanging or hanging_place).
+void follow(const Model& model, const HangingNode* list, float* values, std::ptrdiff_t axis);
+
+}  // namespace stylet
