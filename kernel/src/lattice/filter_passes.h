@@ -465,6 +465,7 @@ void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& m
     for (std::uint32_t i = 0; i < kGradedArrays; ++i) empty(wave.start(z) + i * wave.all);
     start_plane(model, state, scratch, z, wave.start(z), wave.bound(z));
   }
+  bound_in_tiles(model, scratch.coupling_bound, wave.bounds);
   follow(model, model.hanging_place, wave.starts, kTile);
   for (std::uint32_t j = 1; j <= passes; ++j) {
     for (std::uint32_t z = 0; z < planes; ++z) {

@@ -11,6 +11,9 @@ namespace stylet {
 namespace {
 
 constexpr std::uint32_t kMasters = 4;
+// The force that a hanging node can pass on in a substep is what its bound on stiffness gives at so
+// many edges. Tissue that is torn farther loses momentum there.
+constexpr float kFarthest = 16;
 
 // One particle has one number in all its nodes.
 std::uint32_t particle_of(const Model& model, std::uint32_t node) {
@@ -23,11 +26,12 @@ float place_in_voxel(std::uint32_t node, std::uint32_t voxel, std::uint32_t rati
 }
 
 HangingNode hanging_node(const Organ& organ, const Model& model, const OrganHanging& h) {
-  const std::uint32_t planes = organ.level_planes, rows = organ.sheet_rows;
+  const std::uint32_t planes = organ.level_planes;
   const std::uint32_t own = level_of(planes, h.z), other = level_of(planes, h.voxel_z);
   const std::uint32_t ratio = 1U << (own - other);
   const float f[3] = {place_in_voxel(h.x, h.voxel_x, ratio),
-                      place_in_voxel(h.y % rows, h.voxel_y % rows, ratio),
+                      place_in_voxel(line_in_space(organ, h.y),
+                                     line_in_space(organ, h.voxel_y), ratio),
                       place_in_voxel(h.z - first_plane(planes, own),
                                      h.voxel_z - first_plane(planes, other), ratio)};
   const Row& row = model.row[row_at(model, h.voxel_x, h.voxel_y, h.voxel_z)];
@@ -86,21 +90,33 @@ bool hangs(const Model& model, std::uint32_t particle) {
 }
 
 void fill_shares(Model& model) {
-  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
-    HangingNode& h = model.hanging[i];
-    HangingNode& there = model.hanging_place[i];
+  const std::uint32_t count = model.head->counts.hanging;
+  const auto share = [&](HangingNode& h) {
+    h.mobility = model.step_per_mass[h.node];
     for (std::uint32_t m = 0; m < kMasters; ++m) {
-      h.share[m] = h.weight[m] * model.step_per_mass[h.master[m]] / model.step_per_mass[h.node];
+      h.share[m] = h.weight[m] * model.step_per_mass[h.master[m]] / h.mobility;
     }
-    there = h;
-    there.node = place_in_tiles(model, h.node);
-    for (std::uint32_t m = 0; m < kMasters; ++m) {
-      there.master[m] = place_in_tiles(model, h.master[m]);
-    }
+  };
+  for (std::uint32_t i = 0; i < count; ++i) {
+    HangingNode& h = model.hanging_place[i] = model.hanging[i];
+    share(h);
+    h.node = place_in_tiles(model, h.node);
+    for (std::uint32_t& master : h.master) master = place_in_tiles(model, master);
   }
-  // Its masters have its mass, and so its weight.
+  for (std::uint32_t i = 0; i < count; ++i) {  // masters that hang come first
+    HangingNode& h = model.hanging[i];
+    model.step_per_mass[h.node] = 1 / (kFarthest * model.head->substep_s * model.bound[h.node]);
+    share(h);
+    model.particle_kg[h.node] = 0;  // its masters have it
+  }
+}
+
+void bound_in_tiles(const Model& model, const float* held, float* bounds) {
   for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
-    model.particle_kg[model.hanging[i].node] = 0;
+    const std::uint32_t node = model.hanging[i].node;
+    const HangingNode& h = model.hanging_place[i];
+    bounds[h.node] = h.mobility * (model.bound[node] + held[node]);
+    bounds[h.node + kTile] = h.mobility;
   }
 }
 

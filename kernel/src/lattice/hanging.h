@@ -9,7 +9,10 @@
 // list has the coarse ones first.
 //
 // A hanging node has a mobility (step over mass) like every particle, so the sweep and the passes
-// treat it like one: what it would get then passes on to its masters, scaled by the mobilities.
+// treat it like one; what it gets so passes on to its masters, scaled by the mobilities. Which one it
+// has does not matter but for rounding. In the sweep it is so small that its momentum is not bounded
+// (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard. In the passes it is
+// that of the node's own mass.
 //
 // Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 3a.
 #pragma once
@@ -25,12 +28,14 @@ void add_to_masters(const Model& model, float* of_particles);
 // Whether a particle hangs.
 bool hangs(const Model& model, std::uint32_t particle);
 // The nodes' mobilities and shares, and their places in the tiles of the passes; needs the masters'
-// mobilities, with 0 where they are attached.
+// mobilities, with 0 where they are attached, and the nodes' bounds. Afterwards nodes have no mass.
 void fill_shares(Model& model);
 
 // In a step: what nodes have got they give to their masters. Of particles, momentum over mass: then
 // it is 0 at the nodes. In the tiles of all planes: an iterate of the passes.
 void give_momentum(const Model& model, State& state);
+// The bounds of the passes (filter_passes.h) at the nodes. `held`: as Scratch::coupling_bound.
+void bound_in_tiles(const Model& model, const float* held, float* bounds);
 void give_in_tiles(const Model& model, float* values);
 // Nodes get the values that follow from their masters': x, y, z, `axis` apart, of particles or in
 // tiles (`list` is model.hanging or hanging_place).

@@ -72,9 +72,9 @@ bool is_on_surface(const Organ& organ, const OrganHanging& h) {
   const std::uint32_t planes = organ.level_planes;
   const std::uint32_t own = level_of(planes, h.z), other = level_of(planes, h.voxel_z);
   if (own <= other) return false;
-  const std::uint32_t ratio = 1U << (own - other), rows = organ.sheet_rows;
-  const std::uint32_t node[3] = {h.x, h.y % rows, h.z - first_plane(planes, own)};
-  const std::uint32_t voxel[3] = {h.voxel_x, h.voxel_y % rows,
+  const std::uint32_t ratio = 1U << (own - other);
+  const std::uint32_t node[3] = {h.x, line_in_space(organ, h.y), h.z - first_plane(planes, own)};
+  const std::uint32_t voxel[3] = {h.voxel_x, line_in_space(organ, h.voxel_y),
                                   h.voxel_z - first_plane(planes, other)};
   bool on_face = false;
   for (std::uint32_t a = 0; a < 3; ++a) {

@@ -48,6 +48,7 @@ struct TiedNode {
 struct HangingNode {
   std::uint32_t node, master[4];
   float weight[4], share[4];
+  float mobility;  // of the node
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows
