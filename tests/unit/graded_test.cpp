@@ -2,6 +2,7 @@
 // Graded lattices: levels of voxels with half the edge of the one before, joined by hanging nodes.
 #include "graded.h"
 
+#pragma GCC diagnostic ignored "-Wdouble-promotion"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -144,7 +145,7 @@ TEST(Graded, MomentumAndEnergy) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     Graded graded;
     graded.levels = 2 + seed % 2;
-    graded.split = at_random(seed, seed > 4 ? 0.4 : seed > 2 ? 1 : 0);
+    graded.split = at_random(seed, 0.4);
     Config config;
     config.surround_drag_per_s = 0;
     Body body = make(graded, config);
@@ -204,6 +205,139 @@ TEST(Graded, Bar) {
   graded.split = [](std::uint32_t, int x, int y, int) { return x < 4 || (x > 6 && y == 1); };
   const double mixed = deflection(graded, 0.5F);
   std::printf("%g %g %g\n", coarse, fine, mixed);
+}
+
+
+// A block that hangs on its low face; `levels` and `split` say how fine it is where.
+Graded block() {
+  Graded graded;
+  graded.nx = graded.ny = graded.nz = 8;
+  graded.fixed_faces = kLowZ;
+  graded.materials[0].puncture_force_n = 0.05F;
+  graded.materials[0].cutting_force_n = 0.03F;
+  graded.split = [](std::uint32_t, int, int, int) { return false; };
+  return graded;
+}
+
+struct Felt {
+  std::vector<Vec3> force_n;
+  std::vector<float> depth_m;
+};
+Felt insert(const Graded& graded, float unit_m, Vec3 beside_m) {
+  Config config;
+  config.needle[0].unit_m = unit_m;
+  Body body = make(graded, config);
+  const float top = graded.voxel_edge_m * graded.nz, length = config.needle[0].length_m;
+  Script script;
+  script.needle_length_m = length;
+  script.entry_m = Vec3{top / 2, top / 2, top} + beside_m;
+  Felt felt;
+  for (std::uint64_t i = 0; i < kCycleTicks; ++i) {
+    const Output out = tick(body.session.kernel, scripted_input(script, i));
+    felt.force_n.push_back(out.force_n);
+    felt.depth_m.push_back(out.depth_m);
+  }
+  return felt;
+}
+
+double off(const Felt& a, const Felt& b) {
+  double sum = 0, all = 0;
+  for (std::size_t i = 0; i < a.force_n.size(); ++i) {
+    const Vec3 d = a.force_n[i] - b.force_n[i];
+    sum += static_cast<double>(dot(d, d));
+    all += static_cast<double>(dot(a.force_n[i], a.force_n[i]));
+  }
+  return std::sqrt(sum / all);
+}
+
+TEST(Graded, Needle) {
+  Graded coarse = block(), mixed = block(), fine = block();
+  fine.split = [](std::uint32_t, int, int, int) { return true; };
+  mixed.split = [](std::uint32_t, int x, int y, int) { return x > 0 && x < 5 && y > 2 && y < 6; };
+  for (const float unit_m : {5e-3F, 2.5e-3F}) {
+    for (const Vec3 beside : {Vec3{-4e-3F, 0, 0}, Vec3{-4.7e-3F, 1.3e-3F, 0}, Vec3{-5.2e-3F, -0.6e-3F, 0}}) {
+      const Felt of_coarse = insert(coarse, unit_m, beside), of_fine = insert(fine, unit_m, beside);
+      const Felt of_mixed = insert(mixed, unit_m, beside);
+      std::printf("unit %g: coarse to fine %g, mixed to fine %g\n", unit_m, off(of_fine, of_coarse),
+                  off(of_fine, of_mixed));
+      for (std::size_t i = 0; i < kCycleTicks; i += 250) {
+        std::printf("  %zu: %.4f %.4f %.4f | %.4f %.4f %.4f | %.4f %.4f %.4f  depth %.2f %.2f %.2f\n", i, of_coarse.force_n[i].x, of_coarse.force_n[i].y,
+                    of_coarse.force_n[i].z, of_mixed.force_n[i].x, of_mixed.force_n[i].y,
+                    of_mixed.force_n[i].z, of_fine.force_n[i].x, of_fine.force_n[i].y,
+                    of_fine.force_n[i].z, 1e3 * of_coarse.depth_m[i], 1e3 * of_mixed.depth_m[i],
+                    1e3 * of_fine.depth_m[i]);
+      }
+    }
+  }
+}
+
+
+TEST(Graded, NeedleAcrossLevels) {
+  Graded mixed = block(), fine = block();
+  fine.split = [](std::uint32_t, int, int, int) { return true; };
+  for (const int below : {0, 1}) {
+    mixed.split = [=](std::uint32_t, int, int, int z) { return (z < 6) == (below == 1); };
+    const Felt of_fine = insert(fine, 2.5e-3F, {-4e-3F, 0, 0});
+    const Felt of_mixed = insert(mixed, 2.5e-3F, {-4e-3F, 0, 0});
+    std::printf("mixed to fine %g\n", off(of_fine, of_mixed));
+    for (std::size_t i = 700; i < 3400; i += 100) {
+        std::printf("  %zu: %.4f %.4f %.4f | %.4f %.4f %.4f  depth %.2f %.2f\n", i, of_mixed.force_n[i].x, of_mixed.force_n[i].y,
+                    of_mixed.force_n[i].z, of_fine.force_n[i].x, of_fine.force_n[i].y,
+                    of_fine.force_n[i].z, 1e3 * of_mixed.depth_m[i],
+                    1e3 * of_fine.depth_m[i]);
+    }
+  }
+}
+
+// Any materials, any levels: what moves comes to rest.
+TEST(Graded, RandomTissueComesToRest) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> part(0, 1);
+    Graded graded;
+    graded.levels = 2 + seed % 3;
+    graded.nx = graded.ny = 3;
+    graded.nz = 3;
+    graded.voxel_edge_m = 0.002F + 0.006F * part(random);
+    graded.fixed_faces = seed % 2 == 0 ? kLowZ : 0U;
+    graded.split = at_random(seed, 0.2 + 0.5 * static_cast<double>(part(random)));
+    graded.materials.clear();
+    for (int i = 0; i < 5; ++i) {
+      TinyMaterial m;
+      m.youngs_modulus_pa = std::pow(10.0F, 3 + 3 * part(random));
+      m.poisson_ratio = 0.49F * part(random);
+      m.density_kg_per_m3 = 500 + 1000 * part(random);
+      m.strain_stiffening = seed % 4 == 0 ? 50 * part(random) : 0;
+      graded.materials.push_back(m);
+    }
+    graded.material_at = [=](std::uint32_t level, int x, int y, int z) {
+      std::seed_seq place = {seed, level, static_cast<unsigned>(x), static_cast<unsigned>(y),
+                             static_cast<unsigned>(z), 7U};
+      return static_cast<std::uint8_t>(std::mt19937(place)() % 5);
+    };
+    Config config;
+    config.surround_drag_per_s = 0;
+    config.inertia = seed % 5 == 0 ? Inertia::kAddedMass : Inertia::kTrueMass;
+    Body body = make(graded, config);
+    View view = view_of(body.session.kernel);
+    std::normal_distribution<float> speed(0, 0.3F);
+    each_node(view, [&](Vec3, std::uint32_t p) {
+      if (hangs(view.model, p) || !(view.model.step_per_mass[p] > 0)) return;
+      set_speed(view, p, {speed(random), speed(random), speed(random)});
+    });
+    let_go(body.session, 1);
+    const double first = tissue_energy(body.session.kernel, energy(body.session.kernel));
+    double last = first, gained = 0;
+    for (int i = 0; i < 400; ++i) {
+      let_go(body.session, 1);
+      const double now = tissue_energy(body.session.kernel, energy(body.session.kernel));
+      gained = std::max(gained, now - last);
+      last = now;
+    }
+    const Energy rest = energy(body.session.kernel);
+    const MassReport mass = mass_report(body.session.kernel, 0);
+    std::printf("seed %u levels %u edge %g passes %u: energy %g to %g (elastic %g), gained %g, mass %g of %g\n", seed, graded.levels, graded.voxel_edge_m, view.model.head->filter.passes, first, last, rest.elastic, gained, mass.stepped_kg, mass.real_kg);
+  }
 }
 
 }  // namespace
