@@ -33,20 +33,15 @@ constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velo
 
 struct Motion {
   float dt, tau, keep;
-  float fastest;  // also limits momentum over mass: what is torn so fast loses it
+  // Bounds of a velocity, and of momentum over mass: what is torn so fast loses it.
+  float fastest, most_momentum;
   // Largest displacement so far, as bits: as integers they have the order of floats.
   WideBits largest = {};
 };
 
-// Of the particles of a plane.
-inline float fastest_in(const Model& model, const Plane& plane) {
-  const ModelHead& head = *model.head;
-  return kMaxEdgesPerSubstep * head.level[plane.level].edge_m / head.substep_s;
-}
-
-inline Wide bounded(Wide velocity, const Motion& motion) {
+inline Wide bounded(Wide velocity, float most) {
   velocity = (velocity + kQuantum) - kQuantum;
-  return no_larger(velocity, motion.fastest);
+  return no_larger(velocity, most);
 }
 
 // Moves a group of lanes along one axis by a velocity.
@@ -363,7 +358,7 @@ void move_plane(const Plane& plane, State& state, const float* velocity, std::pt
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
       const std::ptrdiff_t at = i + c * own_axis;
-      displace_lanes(bounded(load(velocity + (i + c * axis)), motion), u + at, v + at, e + at,
+      displace_lanes(bounded(load(velocity + (i + c * axis)), motion.fastest), u + at, v + at, e + at,
                      motion);
     }
   });
@@ -377,7 +372,6 @@ void move_filtered(const Model& model, State& state, const float* iterate, float
   const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
   pack_plane(model.piece + plane.tiles.node, model.piece + plane.tiles.voxel, iterate, packed,
              axis);
-  motion_io.fastest = fastest_in(model, plane);
   move_plane(plane, state, packed, axis, motion_io);
 }
 
@@ -386,7 +380,6 @@ void move_unfiltered(const Model& model, State& state, std::uint32_t begin, std:
                      Motion& motion_io) {
   for (std::uint32_t z = begin; z < end; ++z) {
     const Plane& plane = model.plane[z];
-    motion_io.fastest = fastest_in(model, plane);
     move_plane(plane, state, state.wx + plane.particle_begin, state.wy - state.wx, motion_io);
   }
 }
@@ -481,7 +474,7 @@ void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& m
 // After the sweep: hanging nodes give their momentum to their masters. Then all particles move, and
 // the nodes follow.
 void finish_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
-  give_momentum(model, state);
+  give_momentum(model, state, motion.most_momentum);
   filter_graded(model, state, scratch, motion);
   const std::ptrdiff_t axis = state.uy - state.ux;
   for (float* const values : {&state.ux[0], &state.vx[0], &state.ex[0]}) {

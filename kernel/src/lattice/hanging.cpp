@@ -120,11 +120,14 @@ void bound_in_tiles(const Model& model, const float* held, float* bounds) {
   }
 }
 
-void give_momentum(const Model& model, State& state) {
+void give_momentum(const Model& model, State& state, float most) {
   for (float* const w : {&state.wx[0], &state.wy[0], &state.wz[0]}) {
     for (std::uint32_t i = model.head->counts.hanging; i-- > 0;) {
       give(model.hanging[i], w);
       w[model.hanging[i].node] = 0;
+    }
+    for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+      for (const std::uint32_t m : model.hanging[i].master) w[m] = clamp(w[m], -most, most);
     }
     copy_tied(model, w);
   }

@@ -32,8 +32,9 @@ bool hangs(const Model& model, std::uint32_t particle);
 void fill_shares(Model& model);
 
 // In a step: what nodes have got they give to their masters. Of particles, momentum over mass: then
-// it is 0 at the nodes. In the tiles of all planes: an iterate of the passes.
-void give_momentum(const Model& model, State& state);
+// it is 0 at the nodes, and at their masters no larger than `most`, as at every particle. In the
+// tiles of all planes: an iterate of the passes.
+void give_momentum(const Model& model, State& state, float most);
 // The bounds of the passes (filter_passes.h) at the nodes. `held`: as Scratch::coupling_bound.
 void bound_in_tiles(const Model& model, const float* held, float* bounds);
 void give_in_tiles(const Model& model, float* values);
