@@ -425,24 +425,6 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
 
 // ---- graded lattices ------------------------------------------------------------------------------
 
-// What hanging nodes got in pass j goes to their masters, and they follow these. A node's iterate
-// less the parts of those before it is what it got.
-void pass_hanging(const Model& model, const GradedWave& wave, std::uint32_t j) {
-  const FilterPass& pass = model.head->filter.pass[j - 1];
-  const float *const first = wave.starts, *const before = wave.of_pass(j - 1);
-  const float* const last = wave.of_pass(j);
-  float* const next = wave.of_pass(j + 1);
-  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t at = model.hanging_place[i].node + c * kTile;
-      const float earlier = j > 1 ? pass.first * first[at] + pass.before * before[at] : 0;
-      next[at] = next[at] - (pass.last * last[at] + earlier);
-    }
-  }
-  give_in_tiles(model, next);
-  follow(model, model.hanging_place, next, kTile);
-}
-
 // Filters and moves all particles.
 void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
   const std::uint32_t passes = model.head->filter.passes;
@@ -459,12 +441,15 @@ void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& m
     start_plane(model, state, scratch, z, wave.start(z), wave.bound(z));
   }
   bound_in_tiles(model, scratch.coupling_bound, wave.bounds);
-  follow(model, model.hanging_place, wave.starts, kTile);
+  follow_in_tiles(model, wave.starts);
   for (std::uint32_t j = 1; j <= passes; ++j) {
     for (std::uint32_t z = 0; z < planes; ++z) {
       pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
     }
-    pass_hanging(model, wave, j);
+    const FilterPass& pass = model.head->filter.pass[j - 1];
+    give_in_tiles(model, pass, {wave.starts, wave.of_pass(j - 1), wave.of_pass(j)},
+                  wave.of_pass(j + 1));
+    follow_in_tiles(model, wave.of_pass(j + 1));
   }
   for (std::uint32_t z = 0; z < planes; ++z) {
     move_filtered(model, state, wave.iterate(passes + 1, z), wave.packed, z, motion);
@@ -478,7 +463,7 @@ void finish_graded(const Model& model, State& state, Scratch& scratch, Motion& m
   filter_graded(model, state, scratch, motion);
   const std::ptrdiff_t axis = state.uy - state.ux;
   for (float* const values : {&state.ux[0], &state.vx[0], &state.ex[0]}) {
-    follow(model, model.hanging, values, axis);
+    follow(model, values, axis);
   }
 }
 

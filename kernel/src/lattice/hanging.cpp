@@ -57,12 +57,6 @@ void copy_tied(const Model& model, float* values) {
   }
 }
 
-void give(const HangingNode& h, float* values) {
-  for (std::uint32_t i = 0; i < kMasters; ++i) {
-    values[h.master[i]] = values[h.master[i]] + h.share[i] * values[h.node];
-  }
-}
-
 }  // namespace
 
 void fill_hanging(const Organ& organ, Model& model) {
@@ -111,6 +105,33 @@ void fill_shares(Model& model) {
   }
 }
 
+void give_momentum(const Model& model, State& state, float most) {
+  const std::uint32_t count = model.head->counts.hanging;
+  for (float* const w : {&state.wx[0], &state.wy[0], &state.wz[0]}) {
+    for (std::uint32_t i = count; i-- > 0;) {
+      const HangingNode& h = model.hanging[i];
+      const float given = w[h.node];
+      w[h.node] = 0;
+      for (std::uint32_t m = 0; m < kMasters; ++m) w[h.master[m]] += h.share[m] * given;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (const std::uint32_t m : model.hanging[i].master) w[m] = clamp(w[m], -most, most);
+    }
+    copy_tied(model, w);
+  }
+}
+
+void follow(const Model& model, float* values, std::ptrdiff_t axis) {
+  for (std::uint32_t c = 0; c < 3; ++c, values += axis) {
+    for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+      const HangingNode& h = model.hanging[i];
+      values[h.node] =
+          (h.weight[0] * values[h.master[0]] + h.weight[1] * values[h.master[1]]) +
+          (h.weight[2] * values[h.master[2]] + h.weight[3] * values[h.master[3]]);
+    }
+  }
+}
+
 void bound_in_tiles(const Model& model, const float* held, float* bounds) {
   for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
     const std::uint32_t node = model.hanging[i].node;
@@ -120,41 +141,34 @@ void bound_in_tiles(const Model& model, const float* held, float* bounds) {
   }
 }
 
-void give_momentum(const Model& model, State& state, float most) {
-  for (float* const w : {&state.wx[0], &state.wy[0], &state.wz[0]}) {
-    for (std::uint32_t i = model.head->counts.hanging; i-- > 0;) {
-      give(model.hanging[i], w);
-      w[model.hanging[i].node] = 0;
+void give_in_tiles(const Model& model, const FilterPass& pass, const Iterated& by, float* next) {
+  for (std::uint32_t i = model.head->counts.hanging; i-- > 0;) {
+    const HangingNode& h = model.hanging_place[i];
+    for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
+      const std::uint32_t at = h.node + c;
+      const float earlier = pass.last * by.last[at] +
+                            (pass.first * by.first[at] + pass.before * by.before[at]);
+      const float given = next[at] - earlier;
+      for (std::uint32_t m = 0; m < kMasters; ++m) next[h.master[m] + c] += h.share[m] * given;
     }
-    for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
-      for (const std::uint32_t m : model.hanging[i].master) w[m] = clamp(w[m], -most, most);
-    }
-    copy_tied(model, w);
   }
-}
-
-void give_in_tiles(const Model& model, float* values) {
-  for (std::uint32_t c = 0; c < 3; ++c, values += kTile) {
-    for (std::uint32_t i = model.head->counts.hanging; i-- > 0;) {
-      give(model.hanging_place[i], values);
-    }
-    for (std::uint32_t z = 0; z <= model.head->counts.planes; ++z) {  // as copy_tied
-      const Plane& plane = model.plane[z];
-      float* const own = values + std::size_t{plane.tiles.node} * kTileFloats;
-      for (std::uint32_t i = plane.tie_begin; i < plane.tie_end; ++i) {
-        own[model.tied_place[i].node] = own[model.tied_place[i].representative];
+  for (std::uint32_t z = 0; z <= model.head->counts.planes; ++z) {  // as copy_tied
+    const Plane& plane = model.plane[z];
+    float* const own = next + std::size_t{plane.tiles.node} * kTileFloats;
+    for (std::uint32_t i = plane.tie_begin; i < plane.tie_end; ++i) {
+      for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
+        own[model.tied_place[i].node + c] = own[model.tied_place[i].representative + c];
       }
     }
   }
 }
 
-void follow(const Model& model, const HangingNode* list, float* values, std::ptrdiff_t axis) {
-  for (std::uint32_t c = 0; c < 3; ++c, values += axis) {
-    for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
-      const HangingNode& h = list[i];
-      values[h.node] =
-          (h.weight[0] * values[h.master[0]] + h.weight[1] * values[h.master[1]]) +
-          (h.weight[2] * values[h.master[2]] + h.weight[3] * values[h.master[3]]);
+void follow_in_tiles(const Model& model, float* values) {
+  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+    const HangingNode& h = model.hanging_place[i];
+    for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
+      const auto of = [&](std::uint32_t m) { return h.weight[m] * values[h.master[m] + c]; };
+      values[h.node + c] = (of(0) + of(1)) + (of(2) + of(3));
     }
   }
 }

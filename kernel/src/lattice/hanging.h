@@ -31,15 +31,21 @@ bool hangs(const Model& model, std::uint32_t particle);
 // mobilities, with 0 where they are attached, and the nodes' bounds. Afterwards nodes have no mass.
 void fill_shares(Model& model);
 
-// In a step: what nodes have got they give to their masters. Of particles, momentum over mass: then
-// it is 0 at the nodes, and at their masters no larger than `most`, as at every particle. In the
-// tiles of all planes: an iterate of the passes.
+// In a step. Nodes give their momentum over mass to their masters; then it is 0 at the nodes, and at
+// their masters no larger than `most`, as at every particle.
 void give_momentum(const Model& model, State& state, float most);
-// The bounds of the passes (filter_passes.h) at the nodes. `held`: as Scratch::coupling_bound.
+// Nodes get the values that follow from their masters': x, y, z, `axis` apart.
+void follow(const Model& model, float* values, std::ptrdiff_t axis);
+
+// In the passes (filter_passes.h), in arrays of all planes' tiles. The bounds at the nodes; `held`:
+// as Scratch::coupling_bound.
 void bound_in_tiles(const Model& model, const float* held, float* bounds);
-void give_in_tiles(const Model& model, float* values);
-// Nodes get the values that follow from their masters': x, y, z, `axis` apart, of particles or in
-// tiles (`list` is model.hanging or hanging_place).
-void follow(const Model& model, const HangingNode* list, float* values, std::ptrdiff_t axis);
+// What nodes got in a pass they give to their masters: their own next iterate less the parts of w,
+// of the iterate before and of the last one. Then they follow.
+struct Iterated {
+  const float *first, *before, *last;
+};
+void give_in_tiles(const Model& model, const FilterPass& pass, const Iterated& by, float* next);
+void follow_in_tiles(const Model& model, float* values);
 
 }  // namespace stylet
