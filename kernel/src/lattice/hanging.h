@@ -22,13 +22,14 @@
 namespace stylet {
 
 // At creation. Nodes, masters and weights; needs rows and ties.
+void count_hanging(const Organ& organ, Counts& counts_io);
 void fill_hanging(const Organ& organ, Model& model);
 // Adds what belongs to hanging nodes (mass, bounds on stiffness) to that of their masters.
 void add_to_masters(const Model& model, float* of_particles);
 // Whether a particle hangs.
 bool hangs(const Model& model, std::uint32_t particle);
-// The nodes' mobilities and shares, and their places in the tiles of the passes; needs the masters'
-// mobilities, with 0 where they are attached, and the nodes' bounds. Afterwards nodes have no mass.
+// The nodes' mobilities and shares, and all this by places in tiles; needs the masters' mobilities,
+// with 0 where they are attached, and the nodes' bounds. Afterwards nodes have no mass.
 void fill_shares(Model& model);
 
 // In a step. Nodes give their momentum over mass to their masters; then it is 0 at the nodes, and at

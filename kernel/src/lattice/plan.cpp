@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "lattice/hanging.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "organ/levels.h"
@@ -251,7 +252,7 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   c.voxels = organ.voxel_count;
   c.sheets = organ.size_y / organ.sheet_rows;
   c.levels = organ.levels;
-  c.hanging = static_cast<std::uint32_t>(organ.hanging.size());
+  count_hanging(organ, c);
   c.ties = static_cast<std::uint32_t>(organ.ties.size());
   Totals totals = {};
   Planes planes(organ);

@@ -42,13 +42,17 @@ struct TiedNode {
 };
 
 // A node on the surface of a coarser voxel. It moves as that voxel's corners around it do, its
-// masters: with their weights, which add up to 1. What is given to the node goes to them, each the
-// `share` of it: weight, times the master's mobility over the node's own. Less than four masters:
-// weights and shares 0.
+// masters: with their weights, which add up to 1. Less than four masters: the others' weights are 0.
 struct HangingNode {
   std::uint32_t node, master[4];
-  float weight[4], share[4];
-  float mobility;  // of the node
+  float weight[4];
+};
+// What a hanging node gives to one of its masters of all that it has got: the weight, times the
+// master's mobility over the node's own.
+struct HangingShare {
+  std::uint32_t to, from;
+  float share;
+  std::uint32_t count;  // of the shares from here on that go to this master from one level's nodes
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows

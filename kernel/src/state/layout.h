@@ -40,7 +40,8 @@ struct Counts {
   std::uint32_t particles_per_plane;
   std::uint32_t windows[2];  // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;
-  std::uint32_t levels, hanging;   // one level and no node, unless the lattice is graded
+  // One level and nothing that hangs, unless the lattice is graded.
+  std::uint32_t levels, hanging, hanging_shares;
   std::uint32_t stiffening_slots;  // zero if no tissue stiffens
   std::uint32_t needles;
   std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
@@ -288,8 +289,13 @@ struct ScratchHead {
   F(tied_place, TiedNode, c.filtered_ties)                                               \
   /* hanging: nodes on the surface of coarser voxels (lattice/hanging.h) */              \
   F(hanging, HangingNode, c.hanging)                                                     \
-  /* hanging_place: the same by their places in the tiles of all planes */               \
+  /* hanging_share: what they give to each master */                                     \
+  F(hanging_share, HangingShare, c.hanging_shares)                                       \
+  /* hanging_mobility: s/kg: theirs in the passes */                                     \
+  F(hanging_mobility, float, c.hanging)                                                  \
+  /* hanging_place: nodes and shares by places in the tiles of all planes */             \
   F(hanging_place, HangingNode, c.hanging)                                               \
+  F(hanging_place_share, HangingShare, c.hanging_shares)                                 \
   /* row_of: first row of a place (y, z), to find the row of a voxel */                  \
   F(row_of, std::uint32_t, c.row_grid)                                                   \
   /* voxel_slot: slot of each of the organ file's voxels */                              \
