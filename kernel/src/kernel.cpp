@@ -38,8 +38,8 @@ float shear_modulus_pa(float youngs_modulus_pa, float lambda_pa) {
   return apart < 0 ? 2 * product / (root - apart) : (apart + root) / 4;
 }
 
-// In paper mode every voxel has the stiffness that the averaged goals with factor alpha have at this
-// step, and no volume term (Mueller et al. 2005).
+// In paper mode every voxel has the stiffness that the averaged goals with factor alpha have at
+// this step, and no volume term (Mueller et al. 2005).
 LatticeMaterial lattice_material(const Material& m, const Config& config, float edge_m,
                                  float substep_s) {
   if (config.mode == Mode::kPaper) {

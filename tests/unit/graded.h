@@ -24,6 +24,8 @@ struct Graded {
   // Whether a cell of this level (not the finest) is split.
   std::function<bool(std::uint32_t level, int x, int y, int z)> split;
   std::uint32_t fixed_faces = 0;
+  // Cells from here on along x are in a second sheet, tied to the first; 0: one sheet.
+  std::uint16_t cut = 0;
 };
 
 namespace graded_detail {
@@ -60,7 +62,12 @@ class Builder {
     owner->levels = std::make_unique<format::LevelsT>();
     owner->levels->count = static_cast<std::uint8_t>(graded_.levels);
     owner->levels->planes = graded_.nz;
-    fill_hanging(*owner);
+    if (graded_.cut > 0) {
+      owner->sheets = std::make_unique<format::SheetsT>();
+      owner->sheets->rows = static_cast<std::uint16_t>(rows());
+      owner->size_y = static_cast<std::uint16_t>(2 * rows());
+    }
+    fill_nodes(*owner);
     return owner;
   }
 
@@ -68,8 +75,16 @@ class Builder {
   std::uint32_t first_plane(std::uint32_t level) const {
     return level + graded_.nz * ((1U << level) - 1);
   }
+  std::uint32_t rows() const { return (std::uint32_t{graded_.ny} << (graded_.levels - 1)) + 1; }
+  std::uint32_t sheet_of(std::uint32_t level, std::uint32_t x) const {
+    return graded_.cut > 0 && x >= std::uint32_t{graded_.cut} << level ? 1 : 0;
+  }
+  Place node(std::uint32_t sheet, std::uint32_t level, std::uint32_t x, std::uint32_t y,
+             std::uint32_t z) const {
+    return {first_plane(level) + z, y + sheet * rows(), x};
+  }
   Place place(std::uint32_t level, std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
-    return {first_plane(level) + z, y, x};
+    return node(sheet_of(level, x), level, x, y, z);
   }
   bool has(std::uint32_t level, int x, int y, int z) const {
     if (x < 0 || y < 0 || z < 0 || z >= graded_.nz << level) return false;
@@ -79,8 +94,8 @@ class Builder {
 
   void add(std::uint32_t level, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     const bool finest = level + 1 == graded_.levels;
-    if (finest || !graded_.split(level, static_cast<int>(x), static_cast<int>(y),
-                                 static_cast<int>(z))) {
+    if (finest ||
+        !graded_.split(level, static_cast<int>(x), static_cast<int>(y), static_cast<int>(z))) {
       voxels_[place(level, x, y, z)] = 0;
       at_[place(level, x, y, z)] = {level, x, y, z};
       return;
@@ -97,8 +112,8 @@ class Builder {
     const std::uint32_t in_cell[3] = {vertex.fx(), vertex.fy(), vertex.fz()};
     for (std::uint32_t level = 0; level < graded_.levels; ++level) {
       const std::uint32_t shift = graded_.levels - 1 - level, ratio = 1U << shift;
-      const auto found = voxels_.find(
-          place(level, cell[0] >> shift, cell[1] >> shift, cell[2] >> shift));
+      const auto found =
+          voxels_.find(place(level, cell[0] >> shift, cell[1] >> shift, cell[2] >> shift));
       if (found == voxels_.end()) continue;
       std::uint16_t f[3];
       for (int a = 0; a < 3; ++a) {
@@ -144,37 +159,45 @@ class Builder {
     owner.voxel_fill.assign(owner.voxel_material.size(), 255);
   }
 
-  // On the coarsest voxel that a node touches.
-  void fill_hanging(Owner& owner) const {
-    std::map<Place, std::array<std::uint32_t, 4>> nodes;
-    for (const auto& [unused, at] : at_) {
-      const auto& [level, x, y, z] = at;
-      for (std::uint32_t i = 0; i < 8; ++i) {
-        const std::uint32_t nx = x + (i & 1U), ny = y + ((i >> 1U) & 1U), nz = z + (i >> 2U);
-        nodes[place(level, nx, ny, nz)] = {level, nx, ny, nz};
+  // The voxel on which a node hangs: the coarsest that it touches, or none.
+  bool find_coarser(std::uint32_t level, const std::uint32_t (&at)[3], Place& voxel_out) const {
+    for (std::uint32_t coarse = 0; coarse < level; ++coarse) {
+      const int ratio = 1 << (level - coarse);
+      for (std::uint32_t side = 0; side < 8; ++side) {
+        int cell[3];
+        for (std::uint32_t a = 0; a < 3; ++a) {  // both cells where it is on their face
+          const int n = static_cast<int>(at[a]);
+          cell[a] = n % ratio == 0 && ((side >> a) & 1U) != 0 ? n / ratio - 1 : n / ratio;
+        }
+        if (!has(coarse, cell[0], cell[1], cell[2])) continue;
+        voxel_out = place(coarse, static_cast<std::uint32_t>(cell[0]),
+                          static_cast<std::uint32_t>(cell[1]), static_cast<std::uint32_t>(cell[2]));
+        return true;
       }
     }
-    for (const auto& [place_of_node, at] : nodes) {
+    return false;
+  }
+
+  // Hanging nodes, and ties of the others.
+  void fill_nodes(Owner& owner) const {
+    std::map<Place, std::array<std::uint32_t, 5>> nodes;  // level, x, y, z, sheet
+    for (const auto& [unused, at] : at_) {
       const auto& [level, x, y, z] = at;
-      bool found = false;
-      for (std::uint32_t coarse = 0; coarse < level && !found; ++coarse) {
-        const int ratio = 1 << (level - coarse);
-        for (int i = 0; i < 8 && !found; ++i) {
-          // The cells on both sides of a node that is on their face; else the one around it.
-          const auto beside = [&](std::uint32_t node, int side) {
-            const int n = static_cast<int>(node);
-            return n % ratio == 0 && side == 1 ? n / ratio - 1 : n / ratio;
-          };
-          const int cx = beside(x, i & 1), cy = beside(y, (i >> 1) & 1), cz = beside(z, i >> 2);
-          if (!has(coarse, cx, cy, cz)) continue;
-          found = true;
-          const Place voxel = place(coarse, static_cast<std::uint32_t>(cx),
-                                    static_cast<std::uint32_t>(cy), static_cast<std::uint32_t>(cz));
-          const auto u16 = [](std::uint32_t v) { return static_cast<std::uint16_t>(v); };
-          owner.levels->hanging.emplace_back(u16(place_of_node[2]), u16(place_of_node[1]),
-                                             u16(place_of_node[0]), u16(voxel[2]), u16(voxel[1]),
-                                             u16(voxel[0]));
-        }
+      const std::uint32_t sheet = sheet_of(level, x);
+      for (std::uint32_t i = 0; i < 8; ++i) {
+        const std::uint32_t n[3] = {x + (i & 1U), y + ((i >> 1U) & 1U), z + (i >> 2U)};
+        nodes[node(sheet, level, n[0], n[1], n[2])] = {level, n[0], n[1], n[2], sheet};
+      }
+    }
+    const auto u16 = [](std::uint32_t v) { return static_cast<std::uint16_t>(v); };
+    for (const auto& [own, at] : nodes) {
+      const auto& [level, x, y, z, sheet] = at;
+      Place voxel = {};
+      if (find_coarser(level, {x, y, z}, voxel)) {
+        owner.levels->hanging.emplace_back(u16(own[2]), u16(own[1]), u16(own[0]), u16(voxel[2]),
+                                           u16(voxel[1]), u16(voxel[0]));
+      } else if (sheet == 1 && nodes.count(node(0, level, x, y, z)) != 0) {
+        owner.sheets->ties.emplace_back(u16(own[2]), u16(own[1]), u16(own[0]), u16(y));
       }
     }
   }

@@ -80,7 +80,7 @@ struct Organ {
   float voxel_edge_m = 0;
   Vec3 origin_m = {};
   std::uint16_t size_x = 0, size_y = 0, size_z = 0;
-  std::uint16_t sheet_rows = 0;  // row y lies at y % sheet_rows in space; size_y of one sheet
+  std::uint16_t sheet_rows = 0;    // row y lies at y % sheet_rows in space; size_y of one sheet
   std::uint16_t levels = 1;        // each has half the edge of the one before (organ.fbs)
   std::uint16_t level_planes = 0;  // size_z of the coarsest level alone
   std::uint32_t voxel_count = 0;

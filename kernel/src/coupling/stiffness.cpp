@@ -238,7 +238,8 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
     case Role::kTip:
       // As stiff as in contact, where tissue stiffens: what a puncture finds stored must not be
       // less than the spring inside stores at the same force.
-      target = 24 * kPi * shear_inside_pa(m, site.edge_m, unit) * a * (1 - nu) / (5 - 6 * nu) * deep;
+      target =
+          24 * kPi * shear_inside_pa(m, site.edge_m, unit) * a * (1 - nu) / (5 - 6 * nu) * deep;
       lattice_compliance = inside_give(nu) / k;
       break;
     case Role::kMembrane:

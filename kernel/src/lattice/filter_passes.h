@@ -121,8 +121,8 @@ GradedWave graded_wave_in(const Model& model, float* memory) {
   const std::ptrdiff_t all = static_cast<std::ptrdiff_t>(model.head->counts.tiles) * kTileFloats;
   float* const sends = memory + kGradedArrays * all;
   float* const work = sends + (kGradedPlanes - 1) * floats;
-  return {memory, memory + all, memory + 2 * all, sends, work, work + floats, floats, all,
-          model.plane};
+  return {memory, memory + all, memory + 2 * all, sends, work, work + floats,
+          floats, all,          model.plane};
 }
 
 // Brings a plane into the order of tiles. Lanes that are no place of the plane are zero.
@@ -358,8 +358,8 @@ void move_plane(const Plane& plane, State& state, const float* velocity, std::pt
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
       const std::ptrdiff_t at = i + c * own_axis;
-      displace_lanes(bounded(load(velocity + (i + c * axis)), motion.fastest), u + at, v + at, e + at,
-                     motion);
+      displace_lanes(bounded(load(velocity + (i + c * axis)), motion.fastest), u + at, v + at,
+                     e + at, motion);
     }
   });
   motion_io = motion;
@@ -423,7 +423,8 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
   }
 }
 
-// ---- graded lattices ------------------------------------------------------------------------------
+// ---- graded lattices
+// ------------------------------------------------------------------------------
 
 // Filters and moves all particles.
 void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {

@@ -67,7 +67,9 @@ void copy_tied(const Model& model, float* values) {
 // The level of a particle; particles of a finer one have larger numbers.
 std::uint32_t level_of_particle(const Model& model, std::uint32_t particle) {
   const Plane* const end = model.plane + (model.head->counts.planes + 1);
-  const auto before = [](std::uint32_t at, const Plane& plane) { return at < plane.particle_begin; };
+  const auto before = [](std::uint32_t at, const Plane& plane) {
+    return at < plane.particle_begin;
+  };
   return std::upper_bound(&model.plane[0], end, particle, before)[-1].level;
 }
 
@@ -172,9 +174,8 @@ void follow(const Model& model, float* values, std::ptrdiff_t axis) {
   for (std::uint32_t c = 0; c < 3; ++c, values += axis) {
     for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
       const HangingNode& h = model.hanging[i];
-      values[h.node] =
-          (h.weight[0] * values[h.master[0]] + h.weight[1] * values[h.master[1]]) +
-          (h.weight[2] * values[h.master[2]] + h.weight[3] * values[h.master[3]]);
+      values[h.node] = (h.weight[0] * values[h.master[0]] + h.weight[1] * values[h.master[1]]) +
+                       (h.weight[2] * values[h.master[2]] + h.weight[3] * values[h.master[3]]);
     }
   }
 }
@@ -193,8 +194,8 @@ void give_in_tiles(const Model& model, const FilterPass& pass, const Iterated& b
   for (std::uint32_t i = 0; i < counts.hanging; ++i) {
     for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
       const std::uint32_t at = model.hanging_place[i].node + c;
-      next[at] -= pass.last * by.last[at] +
-                  (pass.first * by.first[at] + pass.before * by.before[at]);
+      next[at] -=
+          pass.last * by.last[at] + (pass.first * by.first[at] + pass.before * by.before[at]);
     }
   }
   const HangingShare* share = model.hanging_place_share;

@@ -9,10 +9,10 @@
 // list has the coarse ones first.
 //
 // A hanging node has a mobility (step over mass) like every particle, so the sweep and the passes
-// treat it like one; what it gets so passes on to its masters, scaled by the mobilities. Which one it
-// has does not matter but for rounding. In the sweep it is so small that its momentum is not bounded
-// (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard. In the passes it is
-// that of the node's own mass.
+// treat it like one; what it gets so passes on to its masters, scaled by the mobilities. Which one
+// it has does not matter but for rounding. In the sweep it is so small that its momentum is not
+// bounded (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard. In the passes
+// it is that of the node's own mass.
 //
 // Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 3a.
 #pragma once
@@ -32,8 +32,8 @@ bool hangs(const Model& model, std::uint32_t particle);
 // with 0 where they are attached, and the nodes' bounds. Afterwards nodes have no mass.
 void fill_shares(Model& model);
 
-// In a step. Nodes give their momentum over mass to their masters; then it is 0 at the nodes, and at
-// their masters no larger than `most`, as at every particle.
+// In a step. Nodes give their momentum over mass to their masters; then it is 0 at the nodes, and
+// at their masters no larger than `most`, as at every particle.
 void give_momentum(const Model& model, State& state, float most);
 // Nodes get the values that follow from their masters': x, y, z, `axis` apart.
 void follow(const Model& model, float* values, std::ptrdiff_t axis);

@@ -177,9 +177,9 @@ void fill_ties(const Plane& plane, Model& model) {
 
 std::uint32_t place_in_tiles(const Model& model, std::uint32_t particle) {
   const Plane* const first = model.plane;
-  const Plane* const behind =
-      std::upper_bound(first, first + model.head->counts.planes + 1, particle,
-                       [](std::uint32_t at, const Plane& plane) { return at < plane.particle_begin; });
+  const Plane* const behind = std::upper_bound(
+      first, first + model.head->counts.planes + 1, particle,
+      [](std::uint32_t at, const Plane& plane) { return at < plane.particle_begin; });
   return behind[-1].tiles.node * kTileFloats + place_of(model, behind[-1], particle);
 }
 

@@ -38,8 +38,8 @@ bool is_own(const Model& model, std::uint32_t slot, Vec3 f) {
   return ((model.quarters[slot] >> bit) & 1U) != 0;
 }
 
-// The level's filled voxel of a cell in space, from all sheets: the owner of the place `f`; else any
-// of them.
+// The level's filled voxel of a cell in space, from all sheets: the owner of the place `f`; else
+// any of them.
 bool voxel_around(const Model& model, const Cell& cell, Vec3 f, std::uint32_t& slot_out,
                   std::uint32_t& row_out) {
   bool found = false;
@@ -140,11 +140,11 @@ bool voxel_across(const Model& model, const Around& around, std::int32_t corner,
   };
   const Vec3 f = {nearest(around.f.x, (corner & 1) != 0), nearest(around.f.y, (corner & 2) != 0),
                   nearest(around.f.z, (corner & 4) != 0)};
-  const Vec3 at_m = head.origin_m + head.level[cell.level].edge_m *
-                                        (Vec3{static_cast<float>(cell.x),
-                                              static_cast<float>(cell.y),
-                                              static_cast<float>(cell.z)} +
-                                         f);
+  const Vec3 at_m =
+      head.origin_m +
+      head.level[cell.level].edge_m * (Vec3{static_cast<float>(cell.x), static_cast<float>(cell.y),
+                                            static_cast<float>(cell.z)} +
+                                       f);
   Vec3 part = {};
   return find_voxel(model, at_m, slot_out, row_out, part);
 }

@@ -285,9 +285,9 @@ STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float
 
 // Stage 2 for slots from `from` on, a multiple of kLanes; the sums begin with slot `front`.
 __attribute__((always_inline)) inline void match_slots(const ModelHead& head, const Level& level,
-                                                       const Slots& plane,
-                                                       std::uint32_t from, std::uint32_t front,
-                                                       std::uint32_t lanes, Carry& carry) {
+                                                       const Slots& plane, std::uint32_t from,
+                                                       std::uint32_t front, std::uint32_t lanes,
+                                                       Carry& carry) {
   const Slots slots = {{plane.sums.at + (from - front), plane.sums.stride},
                        plane.stiffness + from,
                        plane.volume + from,

@@ -58,8 +58,7 @@ float wave_limit_per_s2(float step_s, float tau_s) {
 }
 
 float most_filtered_per_s2(float limit_per_s2, std::uint32_t passes) {
-  return static_cast<float>(static_cast<double>(limit_per_s2) /
-                            share_left(passes, kLeastDamping));
+  return static_cast<float>(static_cast<double>(limit_per_s2) / share_left(passes, kLeastDamping));
 }
 
 // With x = w0 - (1 + w0) z, z = S / s, and T_n(x) = T_n(w0) - z r_n, the polynomial is r_n over its

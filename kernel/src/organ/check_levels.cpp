@@ -15,11 +15,10 @@ bool check_header(Checker& check, const Organ& organ) {
                        organ.format_version, "format version 5 where there are levels") &&
          check.require(organ.levels >= 2 && organ.levels <= kMaxLevels,
                        Status::kOrganValueOutOfRange, "levels.count", 0, organ.levels, "2 to 4") &&
-         check.require(
-             organ.level_planes > 0 &&
-                 organ.size_z == first_plane(organ.level_planes, organ.levels) - 1,
-             Status::kOrganSizesDisagree, "levels.planes", 0, organ.level_planes,
-             "planes of level 0: size_z is count - 1 + planes (2^count - 1)") &&
+         check.require(organ.level_planes > 0 &&
+                           organ.size_z == first_plane(organ.level_planes, organ.levels) - 1,
+                       Status::kOrganSizesDisagree, "levels.planes", 0, organ.level_planes,
+                       "planes of level 0: size_z is count - 1 + planes (2^count - 1)") &&
          check.require(organ.membrane_cells.empty() && organ.slide_points.empty(),
                        Status::kOrganSizesDisagree, "levels", 0, organ.levels,
                        "neither membranes nor slides where there are levels");
@@ -90,9 +89,8 @@ bool check_hanging(Checker& check, const Organ& organ) {
     const OrganHanging& h = organ.hanging[i];
     const std::uint64_t place = order_of(h.x, h.y, h.z);
     const OrganHanging& last = organ.hanging[i > 0 ? i - 1 : 0];
-    if (!check.require(i == 0 || place > order_of(last.x, last.y, last.z),
-                       Status::kOrganOrderWrong, "levels.hanging", i, h.x,
-                       "nodes sorted by z, y, x, each once") ||
+    if (!check.require(i == 0 || place > order_of(last.x, last.y, last.z), Status::kOrganOrderWrong,
+                       "levels.hanging", i, h.x, "nodes sorted by z, y, x, each once") ||
         !check.require(has_node(organ, h.x, h.y, h.z) &&
                            has_voxel(organ, {h.voxel_x, h.voxel_x + 1U}, h.voxel_y, h.voxel_z),
                        Status::kOrganIndexOutOfRange, "levels.hanging", i, h.x,

@@ -42,7 +42,8 @@ struct TiedNode {
 };
 
 // A node on the surface of a coarser voxel. It moves as that voxel's corners around it do, its
-// masters: with their weights, which add up to 1. Less than four masters: the others' weights are 0.
+// masters: with their weights, which add up to 1. Less than four masters: the others' weights are
+// 0.
 struct HangingNode {
   std::uint32_t node, master[4];
   float weight[4];

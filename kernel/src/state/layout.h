@@ -48,8 +48,8 @@ struct Counts {
   std::uint32_t fluids;                       // needles, or zero if the hubs of all are closed
   // Parts that slide on each other: points and grounds; particles, and 1; zero if there are none.
   std::uint32_t slide_points, grounds, slid_particles, slides;
-  // Zero where a particle moves at once, with added mass and one level: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
-  // of tiles, and of a filter's scratch.
+  // Zero where a particle moves at once, with added mass and one level: particles, slots and ties;
+  // tiles (lattice/tiles.h); floats of a plane of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
   std::uint32_t tiles, tile_floats;
   std::uint64_t filter_floats;
