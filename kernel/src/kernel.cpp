@@ -21,7 +21,6 @@
 #include "laws/stiffening.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
-#include "organ/levels.h"
 #include "state/layout.h"
 #include "state/snapshot.h"
 #include "stylet/first_outside.h"
@@ -292,9 +291,28 @@ void fill_filter(Model& model, const Counts& counts, float limit) {
   }
 }
 
+// Attached particles do not move.
+void hold_attached(const Organ& organ, Model& model, const Counts& counts) {
+  for (std::uint32_t voxel = 0; voxel < organ.voxel_fixed.size(); ++voxel) {
+    const Row& row = model.row[model.voxel_row[voxel]];
+    const std::uint32_t slot = model.voxel_slot[voxel];
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      if (((organ.voxel_fixed[voxel] >> corner) & 1U) == 0) continue;
+      const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
+      if (!hangs(model, p)) model.step_per_mass[p] = 0;  // else its masters say where it is
+    }
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // if one node is attached, the particle is
+    const TiedNode& tie = model.tie[i];
+    if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.representative] = 0;
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    model.step_per_mass[model.tie[i].node] = model.step_per_mass[model.tie[i].representative];
+  }
+}
+
 // The mass of the step: real mass, or what keeps the explicit step stable, whichever is more. On
-// entry step_per_mass has the bounds on the tissue's stiffness. Attached particles do not
-// move.
+// entry step_per_mass has the bounds on the tissue's stiffness.
 void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   ModelHead& head = *model.head;
   const float dt = head.substep_s;
@@ -338,22 +356,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     head.material[i].real_kg = static_cast<float>(real_sum_kg[i]);
     head.material[i].stepped_kg = static_cast<float>(stepped_sum_kg[i]);
   }
-  for (std::uint32_t voxel = 0; voxel < organ.voxel_fixed.size(); ++voxel) {
-    const Row& row = model.row[model.voxel_row[voxel]];
-    const std::uint32_t slot = model.voxel_slot[voxel];
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      if (((organ.voxel_fixed[voxel] >> corner) & 1U) == 0) continue;
-      const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
-      if (!hangs(model, p)) model.step_per_mass[p] = 0;  // else its masters say where it is
-    }
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // if one node is attached, the particle is
-    const TiedNode& tie = model.tie[i];
-    if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.representative] = 0;
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    model.step_per_mass[model.tie[i].node] = model.step_per_mass[model.tie[i].representative];
-  }
+  hold_attached(organ, model, counts);
   fill_shares(model);
 }
 

@@ -307,7 +307,7 @@ struct Stats {
 Stats stats(const Kernel& kernel);
 
 // Mass added to keep the step stable, per material: real mass and mass in the step, kg. With true
-// mass the two are the same where kMaxFilterPasses are enough.
+// mass the two are the same where kMaxFilterPasses are enough (kMaxGradedPasses with levels).
 struct MassReport {
   float real_kg, stepped_kg;
 };
@@ -315,7 +315,8 @@ MassReport mass_report(const Kernel& kernel, std::uint32_t material);
 // The instructions that the tissue step uses on this processor: "avx512", "avx2" or "baseline". The
 // bits do not depend on it.
 const char* instruction_set();
-// Passes of the filter in a substep, 0 to kMaxFilterPasses; 0 with added mass.
+// Passes of the filter in a substep, 0 to kMaxFilterPasses, with levels to kMaxGradedPasses; 0 with
+// added mass.
 std::uint32_t filter_passes(const Kernel& kernel);
 
 struct ConstraintParticle {

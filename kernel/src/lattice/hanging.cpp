@@ -5,7 +5,6 @@
 
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
-#include "organ/levels.h"
 
 namespace stylet {
 namespace {

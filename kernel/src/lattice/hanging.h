@@ -14,7 +14,7 @@
 // bounded (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard. In the passes
 // it is that of the node's own mass.
 //
-// Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 3a.
+// Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 2.8.
 #pragma once
 
 #include "state/layout.h"

@@ -7,7 +7,6 @@
 #include "lattice/hanging.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
-#include "organ/levels.h"
 
 namespace stylet {
 namespace {

@@ -17,8 +17,10 @@
 #include "laws/friction.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
+#include "organ/levels.h"
 #include "organ/membranes.h"
 #include "organ/runs.h"
+#include "state/derived.h"
 #include "state/lattice_plan.h"
 #include "state/members.h"
 #include "stylet/kernel.h"
@@ -59,43 +61,6 @@ struct Counts {
 // cache. (With 128 the step takes 0.7 % more instructions, with 160 up to 2 % more time.)
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
-
-// Of a voxel of some level, with the skin spread over it: shear modulus, and lambda over twice that
-// modulus.
-struct LatticeMaterial {
-  float shear_pa, volume_ratio;
-};
-
-// What the tick needs to know of a material; derived once.
-struct MaterialModel {
-  float shear_pa, poisson_ratio;  // without its thin skin
-  float skin_shear_n_per_m;       // of the skin: modulus times thickness
-  LatticeMaterial lattice[kMaxLevels];
-  float stiffening;
-  float puncture_exponent;
-  float relaxing_fraction, relaxation_time_s;
-  float real_kg, stepped_kg;
-};
-
-// Where the paper's rules differ from the physical model (PHYSICS 16). Filled once from
-// Config::mode: functions ask for the rule, not for the mode.
-struct Rules {
-  bool one_support;       // one voxel holds a CP; else the eight around it, and those of two layers
-  bool voxel_springs;     // a CP's spring is its voxel's; else what the lattice leaves to it
-  bool relaxes;           // a CP's force relaxes, and its spring has a compliance along the needle
-  bool contact_law;       // contact follows the law of cone and film; else a CP's spring
-  bool unit_punctures;    // a surface breaks once a needle unit is inside; else at its force
-  bool layer_punctures;   // layers inside must be punctured, too
-  bool unit_slips;        // a CP moves by whole needle units; else exactly back to its limit
-  bool slips_again;       // CPs slip once more after the tissue's step
-  bool planes_in_voxels;  // a voxel where two tissues meet knows the plane between them
-};
-
-// One level of the lattice; level 0 is the coarsest, each has half the edge of the one before.
-struct Level {
-  float edge_m, inverse_edge_per_m;
-  std::uint32_t first_plane, planes;  // voxel planes in the lattice (organ/levels.h)
-};
 
 struct ModelHead {
   Organ organ;      // a copy: only the file's bytes are the caller's
