@@ -423,6 +423,22 @@ TEST(Graded, APlaceIsHeldByTheVoxelsAroundIt) {
   EXPECT_FALSE(inside_lattice(view.model, {1e-3F, 1e-3F, 4.01F * graded.voxel_edge_m}));
 }
 
+TEST(Graded, ARayMeetsTheSurfaceOfEveryLevel) {
+  Graded graded;
+  graded.levels = 3;
+  graded.split = at_random(6, 0.4);
+  const auto organ = packed(*graded_organ(graded));
+  const float size_m = 4 * graded.voxel_edge_m;
+  for (float x = 0.03F; x < 1; x += 0.06F) {
+    for (float y = 0.05F; y < 1; y += 0.07F) {
+      float distance_m = 0;
+      ASSERT_TRUE(organ_raycast(organ->organ, {x * size_m, y * size_m, size_m + 0.01F}, {0, 0, -1},
+                                distance_m));
+      EXPECT_NEAR(distance_m, 0.01F, 1e-6F);
+    }
+  }
+}
+
 TEST(Graded, ASnapshotGoesOnToTheBit) {
   Graded graded = block();
   graded.split = [](std::uint32_t, int x, int y, int) { return x > 1 && x < 5 && y > 2 && y < 6; };
