@@ -50,6 +50,8 @@ SUBJECTS = {
     "membranes": ("kernel/src/organ/membranes.cpp",
                   [["unit_membranes"], ["insertion_membranes"]]),
     "raycast": ("kernel/src/organ/raycast.cpp", [["unit_surface"], ["unit_sheets"]]),
+    "check_levels": ("kernel/src/organ/check_levels.cpp",
+                     [["unit_graded", "--gtest_filter=*Refused*"]]),
     "check_slides": ("kernel/src/organ/check_slides.cpp",
                      [["unit_organ_open", "--gtest_filter=*Slides*"]]),
     "organ": ("kernel/src/organ/organ.cpp",

@@ -344,6 +344,7 @@ double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Sparse& weig
 Resonance first_resonance(const Kernel& kernel) {
   constexpr double kTenth = 0.1, kNever = std::numeric_limits<double>::infinity();
   const View view = view_of(kernel);
+  if (is_graded(view.model)) return {0, 0, kNever};  // nodes that hang are no particles
   const std::vector<Voxel> voxels = voxels_of(view.model);
   const Eigen::VectorXd springs = springs_of(view.model, voxels);
   if (!(springs.array() > 0).any()) return {0, 0, kNever};

@@ -12,6 +12,7 @@
 #include "coupling/bend.h"
 #include "coupling/return_map.h"
 #include "coupling/slides.h"
+#include "lattice/hanging.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
 #include "lattice/tiles.h"
@@ -36,31 +37,40 @@ float shear_modulus_pa(float youngs_modulus_pa, float lambda_pa) {
   return apart < 0 ? 2 * product / (root - apart) : (apart + root) / 4;
 }
 
-// What the sweep needs to know of a material. In paper mode every voxel has the stiffness that the
-// averaged goals with factor alpha have at this step, and no volume term (Mueller et al. 2005).
-MaterialModel material_model(const Material& m, const Config& config, float edge_m,
-                             float substep_s) {
-  MaterialModel out = {};
+// In paper mode every voxel has the stiffness that the averaged goals with factor alpha have at
+// this step, and no volume term (Mueller et al. 2005).
+LatticeMaterial lattice_material(const Material& m, const Config& config, float edge_m,
+                                 float substep_s) {
+  if (config.mode == Mode::kPaper) {
+    const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
+    return {config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m, 0};
+  }
   const float per_shear = 2 * (1 + m.poisson_ratio);
-  out.shear_pa = m.youngs_modulus_pa / per_shear;
-  out.poisson_ratio = m.poisson_ratio;
-  out.skin_shear_n_per_m = m.membrane_n_per_m / per_shear;
   // A thin skin is spread over its voxels: its stiffness in tension does not depend on the voxel.
   // It can become thinner: it adds to the voxel's modulus in tension, not to lambda. (If it were as
   // incompressible as the tissue, its pressure waves, which no hand feels, would be the fastest of
   // all: for a liver's capsule five times as fast, squared.)
   const float lambda_pa =
       2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio / (1 - 2 * m.poisson_ratio);
-  out.lattice_shear_pa =
+  const float shear_pa =
       shear_modulus_pa(m.youngs_modulus_pa + m.membrane_n_per_m / edge_m, lambda_pa);
-  out.lattice_volume_ratio = lambda_pa / (2 * out.lattice_shear_pa);
-  out.stiffening = m.strain_stiffening;
-  if (config.mode == Mode::kPaper) {
-    const float mass_fraction = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
-    out.shear_pa = config.paper_alpha * mass_fraction / (substep_s * substep_s) / edge_m;
-    out.lattice_shear_pa = out.shear_pa;
-    out.poisson_ratio = out.lattice_volume_ratio = out.skin_shear_n_per_m = 0;
-    out.stiffening = 0;
+  return {shear_pa, lambda_pa / (2 * shear_pa)};
+}
+
+// What the sweep and the needle need to know of a material.
+MaterialModel material_model(const Material& m, const ModelHead& head) {
+  MaterialModel out = {};
+  for (std::uint32_t i = 0; i < kMaxLevels; ++i) {
+    out.lattice[i] = lattice_material(m, head.config, head.level[i].edge_m, head.substep_s);
+  }
+  if (head.config.mode == Mode::kPaper) {
+    out.shear_pa = out.lattice[0].shear_pa;
+  } else {
+    const float per_shear = 2 * (1 + m.poisson_ratio);
+    out.shear_pa = m.youngs_modulus_pa / per_shear;
+    out.poisson_ratio = m.poisson_ratio;
+    out.skin_shear_n_per_m = m.membrane_n_per_m / per_shear;
+    out.stiffening = m.strain_stiffening;
   }
   out.puncture_exponent = m.puncture_velocity_exponent;
   out.relaxing_fraction = m.relaxing_fraction;
@@ -85,6 +95,11 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   head.organ_hash = organ.hash;
   head.edge_m = organ.voxel_edge_m;
   head.inverse_edge_per_m = 1 / organ.voxel_edge_m;
+  for (std::uint32_t i = 0; i < kMaxLevels; ++i) {
+    const float edge_m = organ.voxel_edge_m * edge_ratio(i);
+    head.level[i] = {edge_m, 1 / edge_m, first_plane(organ.level_planes, i),
+                     std::uint32_t{organ.level_planes} << i};
+  }
   head.origin_m = organ.origin_m;
   head.size_x = organ.size_x;
   head.size_y = organ.size_y;
@@ -99,8 +114,7 @@ void fill_head(const Organ& organ, const Config& config, const Counts& counts, M
   }
   head.material_count = organ.material_count;
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
-    head.material[i] =
-        material_model(organ_material(organ, i), config, head.edge_m, head.substep_s);
+    head.material[i] = material_model(organ_material(organ, i), head);
   }
 }
 
@@ -130,25 +144,13 @@ void fill_fluids(const Organ& organ, const Config& config, Model& model) {
   }
 }
 
-// Particle at an existing node: found through any voxel row beside it.
-std::uint32_t particle_at(const Model& model, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  const ModelHead& head = *model.head;
-  for (std::uint32_t side = 0; side < 8; ++side) {
-    const std::uint32_t dx = side & 1U, dy = (side >> 1U) & 1U, dz = side >> 2U;
-    if (x < dx || y < dy || z < dz || y - dy >= head.size_y || z - dz >= head.size_z) continue;
-    const std::uint32_t row = row_at(model, static_cast<std::int32_t>(x - dx), y - dy, z - dz);
-    if (row != kNoRow) return model.row[row].node[side >> 1U] + x - model.row[row].x0;
-  }
-  return 0;
-}
-
 void fill_sheets(const Organ& organ, Model& model, const Counts& counts) {
   std::uint32_t tie = 0;
   for (std::uint32_t z = 0; z <= counts.planes; ++z) {
     model.plane[z].tie_begin = tie;
     for (; tie < counts.ties && organ.ties[tie].z == model.plane[z].z; ++tie) {
       const OrganTie& t = organ.ties[tie];
-      model.tie[tie] = {particle_at(model, t.x, t.y, t.z), particle_at(model, t.x, t.to_y, t.z)};
+      model.tie[tie] = {node_at(model, t.x, t.y, t.z), node_at(model, t.x, t.to_y, t.z)};
     }
     model.plane[z].tie_end = tie;
   }
@@ -210,6 +212,7 @@ void fill_slots(const Organ& organ, Model& model, const Counts& counts) {
   for (const OrganRun& run : organ.runs) {
     const std::uint32_t row_index = row_at(model, run.x, run.y, run.z);
     const Row& row = model.row[row_index];
+    const std::uint32_t level = model.plane[row.plane].level;
     for (std::uint32_t x = run.x; x < static_cast<std::uint32_t>(run.x) + run.count; ++x, ++voxel) {
       const std::uint32_t slot = row.slot + x - row.x0;
       const std::uint8_t material = organ.voxel_material[voxel];
@@ -217,8 +220,8 @@ void fill_slots(const Organ& organ, Model& model, const Counts& counts) {
       const float fill = max_of(static_cast<float>(organ.voxel_fill[voxel]) / 255.0F, kMinFill);
       model.voxel_slot[voxel] = slot;
       model.voxel_row[voxel] = row_index;
-      model.slot_k[slot] = m.lattice_shear_pa * head.edge_m * fill;
-      model.slot_volume[slot] = m.lattice_volume_ratio;
+      model.slot_k[slot] = m.lattice[level].shear_pa * head.level[level].edge_m * fill;
+      model.slot_volume[slot] = m.lattice[level].volume_ratio;
       if (stiffens(model)) model.slot_stiffening[slot] = m.stiffening;
       model.slot_fill[slot] = fill;
       model.slot_material[slot] = material;
@@ -230,7 +233,6 @@ void fill_slots(const Organ& organ, Model& model, const Counts& counts) {
 // Mass and stiffness of the particles, as sums.
 void fill_particles(const Organ& organ, Model& model, const Counts& counts) {
   const ModelHead& head = *model.head;
-  const float corner_m3 = head.edge_m * head.edge_m * head.edge_m / 8;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     model.particle_kg[i] = model.hourglass_n_per_m[i] = model.step_per_mass[i] = 0;
   }
@@ -238,6 +240,7 @@ void fill_particles(const Organ& organ, Model& model, const Counts& counts) {
     const Row& row = model.row[model.voxel_row[voxel]];
     const std::uint32_t slot = model.voxel_slot[voxel];
     const float density = organ_material(organ, organ.voxel_material[voxel]).density_kg_per_m3;
+    const float edge_m = level_of(model, row).edge_m, corner_m3 = edge_m * edge_m * edge_m / 8;
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
       const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
       model.particle_kg[p] += density * model.slot_fill[slot] * corner_m3;
@@ -257,26 +260,49 @@ void fill_mixed(const Organ& organ, Model& model) {
   }
 }
 
+std::uint32_t most_passes(const Counts& counts) {
+  return counts.levels > 1 ? kMaxGradedPasses : kMaxFilterPasses;
+}
+
 // The passes of the filter. On entry step_per_mass has the bounds on stiffness (filter.h), with all
 // that constraint particles may add.
 void fill_filter(Model& model, const Counts& counts, float limit) {
   ModelHead& head = *model.head;
-  const float most = most_filtered_per_s2(limit);
+  const float most = most_filtered_per_s2(limit, most_passes(counts));
   float fastest = 0;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     const float kg = max_of(model.particle_kg[i], model.step_per_mass[i] / most);
     if (kg > 0) fastest = max_of(fastest, model.step_per_mass[i] / kg);
   }
-  head.filter = choose_filter(limit, fastest);
+  head.filter = choose_filter(limit, fastest, most_passes(counts));
   for (std::uint32_t i = 0; i < counts.slots; ++i) {
     // Per corner: the mean is over eight.
     model.slot_bound[i] = 0.125F * corner_bound(model, i);
   }
 }
 
+// Attached particles do not move.
+void hold_attached(const Organ& organ, Model& model, const Counts& counts) {
+  for (std::uint32_t voxel = 0; voxel < organ.voxel_fixed.size(); ++voxel) {
+    const Row& row = model.row[model.voxel_row[voxel]];
+    const std::uint32_t slot = model.voxel_slot[voxel];
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      if (((organ.voxel_fixed[voxel] >> corner) & 1U) == 0) continue;
+      const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
+      if (!hangs(model, p)) model.step_per_mass[p] = 0;  // else its masters say where it is
+    }
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // if one node is attached, the particle is
+    const TiedNode& tie = model.tie[i];
+    if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.representative] = 0;
+  }
+  for (std::uint32_t i = 0; i < counts.ties; ++i) {
+    model.step_per_mass[model.tie[i].node] = model.step_per_mass[model.tie[i].representative];
+  }
+}
+
 // The mass of the step: real mass, or what keeps the explicit step stable, whichever is more. On
-// entry step_per_mass has the bounds on the tissue's stiffness. Attached particles do not
-// move.
+// entry step_per_mass has the bounds on the tissue's stiffness.
 void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   ModelHead& head = *model.head;
   const float dt = head.substep_s;
@@ -289,9 +315,11 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     // For constraint particles.
     model.step_per_mass[i] += model.hourglass_n_per_m[i] / head.hourglass_weight;
   }
-  const bool filtered = counts.filtered_particles != 0;
+  add_to_masters(model, model.step_per_mass);
+  add_to_masters(model, model.particle_kg);
+  const bool filtered = head.config.inertia == Inertia::kTrueMass;
   if (filtered) fill_filter(model, counts, limit);
-  const float most = filtered ? most_filtered_per_s2(limit) : limit;
+  const float most = filtered ? most_filtered_per_s2(limit, most_passes(counts)) : limit;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     const float least_kg = model.step_per_mass[i] / most;
     const float real_kg = model.particle_kg[i];
@@ -305,8 +333,8 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     const std::uint32_t slot = model.voxel_slot[voxel];
     const std::uint32_t material = model.slot_material[slot];
     const float density = organ_material(organ, material).density_kg_per_m3;
-    const float share_kg =
-        density * model.slot_fill[slot] * head.edge_m * head.edge_m * head.edge_m / 8;
+    const float edge_m = level_of(model, row).edge_m;
+    const float share_kg = density * model.slot_fill[slot] * edge_m * edge_m * edge_m / 8;
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
       const std::uint32_t p = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
       const float factor = dt / (model.step_per_mass[p] * model.particle_kg[p]);
@@ -318,21 +346,8 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     head.material[i].real_kg = static_cast<float>(real_sum_kg[i]);
     head.material[i].stepped_kg = static_cast<float>(stepped_sum_kg[i]);
   }
-  for (std::uint32_t voxel = 0; voxel < organ.voxel_fixed.size(); ++voxel) {
-    const Row& row = model.row[model.voxel_row[voxel]];
-    const std::uint32_t slot = model.voxel_slot[voxel];
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      if (((organ.voxel_fixed[voxel] >> corner) & 1U) == 0) continue;
-      model.step_per_mass[row.node[corner >> 1U] + slot - row.slot + (corner & 1U)] = 0;
-    }
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {  // if one node is attached, the particle is
-    const TiedNode& tie = model.tie[i];
-    if (!(model.step_per_mass[tie.node] > 0)) model.step_per_mass[tie.representative] = 0;
-  }
-  for (std::uint32_t i = 0; i < counts.ties; ++i) {
-    model.step_per_mass[model.tie[i].node] = model.step_per_mass[model.tie[i].representative];
-  }
+  hold_attached(organ, model, counts);
+  fill_shares(model);
 }
 
 Status count(const Organ& organ, const Config& config, Counts& counts_out) {
@@ -392,6 +407,7 @@ Status create(const Organ& organ, const Config& config, const Memory& memory, Ke
   fill_fluids(organ, config, model);
   fill_lattice(organ, model);
   fill_sheets(organ, model, counts);
+  fill_hanging(organ, model);
   if (counts.filtered_particles != 0) fill_tiles(organ, model);
   fill_slots(organ, model, counts);
   fill_particles(organ, model, counts);

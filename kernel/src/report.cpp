@@ -68,12 +68,14 @@ Stats stats(const Kernel& kernel) {
   const View view = view_of(kernel);
   out.constraint_particles.capacity = kMaxConstraintParticles;
   out.obstacle_contacts.capacity = kMaxTouches;
+  const ModelHead& head = *view.model.head;
+  const float finest_m = head.level[head.counts.levels - 1].edge_m;
   for (std::uint32_t i = 0; i < view.model.head->counts.needles; ++i) {
     const NeedleState& needle = view.state.needle[i];
     add_use(needle.shaft_count, needle.shaft_max, out.constraint_particles);
     add_use(needle.touch_count, needle.touch_max, out.obstacle_contacts);
     const float unit = view.model.head->config.needle[i].unit_m;
-    out.unit_in_voxels = max_of(out.unit_in_voxels, unit / view.model.head->edge_m);
+    out.unit_in_voxels = max_of(out.unit_in_voxels, unit / finest_m);
   }
   out.coupled_voxels = {0, s.coupled_max, kMaxCoupledVoxels * view.model.head->counts.needles};
   out.tracks = {s.track_count, s.track_max, kMaxTracks};
@@ -145,7 +147,7 @@ double voxel_energy(const Model& model, const State& state, std::uint32_t row_in
                     std::uint32_t slot) {
   const Row& row = model.row[row_index];
   const ModelHead& head = *model.head;
-  const double h = static_cast<double>(head.edge_m);
+  const double h = static_cast<double>(level_of(model, row).edge_m);
   const double k = static_cast<double>(model.slot_k[slot]);
   // For the present corners: the state's rotation is a substep old.
   const Mat3 r =

@@ -151,10 +151,10 @@ class OrganFiles(Case):
         table = root - int.from_bytes(data[root:root + 4], "little", signed=True)
         version = root + int.from_bytes(data[table + 4:table + 6], "little")
         self.assertIn(data[version], (1, 2))
-        data[version] = 5
+        data[version] = 6
         path.write_bytes(data)
-        self.check_refused(self.tool("check", path), "expected version 1 to 4")
-        with self.assertRaisesRegex(ValueError, "format version 5: expected 1 to 4"):
+        self.check_refused(self.tool("check", path), "expected version 1 to 5")
+        with self.assertRaisesRegex(ValueError, "format version 6: expected 1 to 4"):
             read_organ(path)
         with self.assertRaisesRegex(ValueError, "expected the letters STLO"):
             read_organ(RECIPE)

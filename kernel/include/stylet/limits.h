@@ -18,6 +18,8 @@ constexpr std::uint32_t kMaxRows = 16'000'000;
 constexpr std::uint32_t kMaxBytesPerVoxel = 24'576;
 // Sheets of a lattice: how many voxels may lie in one cell of space. A look-up visits all sheets.
 constexpr std::uint32_t kMaxSheets = 8;
+// Levels of a graded lattice. A look-up of a place visits each.
+constexpr std::uint32_t kMaxLevels = 4;
 constexpr std::uint32_t kMaxMaterials = 64;
 constexpr std::uint32_t kMaxVertices = 8'000'000;
 constexpr std::uint32_t kMaxTriangles = 16'000'000;
@@ -62,6 +64,8 @@ constexpr float kMinPeriodS = 1e-5F;
 // them, mass is added where it is needed (mass_report says how much). Each pass costs a quarter to
 // a third of a sweep.
 constexpr std::uint32_t kMaxFilterPasses = 7;
+// The same for an organ with several levels: each halves the edge, which takes twice the passes.
+constexpr std::uint32_t kMaxGradedPasses = 31;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;
 constexpr float kMaxBendingNm2 = 1e3F;   // a steel bar of 15 mm

@@ -68,6 +68,10 @@ struct OrganSlideGround {  // a voxel of the other part, near its surface
   float distance[8];  // of its corners to that surface, in edges, positive outside
 };
 
+struct OrganHanging {  // a node, and the voxel of a coarser level with which it moves
+  std::uint16_t x, y, z, voxel_x, voxel_y, voxel_z;
+};
+
 struct Organ {
   const void* root = nullptr;  // the FlatBuffers table; only organ.cpp looks inside
   const char* name = nullptr;
@@ -76,7 +80,9 @@ struct Organ {
   float voxel_edge_m = 0;
   Vec3 origin_m = {};
   std::uint16_t size_x = 0, size_y = 0, size_z = 0;
-  std::uint16_t sheet_rows = 0;  // row y lies at y % sheet_rows in space; size_y of one sheet
+  std::uint16_t sheet_rows = 0;    // row y lies at y % sheet_rows in space; size_y of one sheet
+  std::uint16_t levels = 1;        // each has half the edge of the one before (organ.fbs)
+  std::uint16_t level_planes = 0;  // size_z of the coarsest level alone
   std::uint32_t voxel_count = 0;
   std::uint32_t material_count = 0;
   std::span<const OrganRun> runs;
@@ -94,6 +100,7 @@ struct Organ {
   std::span<const OrganMembraneCell> membrane_cells;  // sorted by z, y, x, material
   std::span<const OrganSlidePoint> slide_points;
   std::span<const OrganSlideGround> slide_grounds;  // sorted by voxel
+  std::span<const OrganHanging> hanging;            // sorted by z, y, x
   // SHA-256 of all bytes of the file but these 32, or empty (format version 1). Whoever loads a
   // file checks it: the kernel cannot compute a SHA-256.
   std::span<const std::uint8_t> content_sha256;
@@ -115,7 +122,8 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out,
 Material organ_material(const Organ& organ, std::uint32_t index);
 
 // Place at rest of a vertex whose voxel is number `voxel_x`, `voxel_y`, `voxel_z` of the lattice;
-// of a lattice with sheets, voxel_y is its run's y modulo sheet_rows.
+// of a lattice with sheets, voxel_y is its run's y modulo sheet_rows; with levels, voxel_z is its
+// run's z, which also says the level.
 Vec3 organ_vertex_place(const Organ& organ, std::uint32_t voxel_x, std::uint32_t voxel_y,
                         std::uint32_t voxel_z, const OrganVertex& vertex);
 

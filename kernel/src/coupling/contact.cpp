@@ -30,7 +30,7 @@ Particle tip_under(const Model& model, State& state, const Needle& needle, Vec3 
   Particle tip = new_particle(model, state, needle, rest_m, place_m, 0, 0, role);
   if (tip.support_count > 0 && buried_m > 0) {
     const Vec3 step = buried_m * needle.tip_direction;
-    const Vec3 image = pull_back_step(model, gradient_around(model, state, tip), step);
+    const Vec3 image = pull_back_step(gradient_around(model, state, tip), step);
     const Particle under =
         new_particle(model, state, needle, rest_m + image, place_m + step, 0, 0, role);
     if (under.support_count > 0) {
@@ -47,7 +47,7 @@ Particle tip_under(const Model& model, State& state, const Needle& needle, Vec3 
 // A tip in contact, held without force by the tissue it now lies in.
 Particle tip_here(const Model& model, State& state, const Needle& needle) {
   const Particle& before = *state.tip;
-  const Vec3 step = pull_back_step(model, gradient_around(model, state, before), residual(before));
+  const Vec3 step = pull_back_step(gradient_around(model, state, before), residual(before));
   return new_particle(model, state, needle, before.rest_m + step, needle.tip_m, 0, 0,
                       Role::kSurface);
 }

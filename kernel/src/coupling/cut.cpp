@@ -39,7 +39,7 @@ namespace {
 void advance_tip(const Model& model, State& state, Particle& tip, Vec3 direction, float move_m) {
   const Gradient g = gradient_around(model, state, tip);
   const Vec3 step = move_m * direction;
-  Vec3 image = tip.support_count > 0 ? pull_back_step(model, g, step) : step;
+  Vec3 image = tip.support_count > 0 ? pull_back_step(g, step) : step;
   if (move_m > 0 && tip.support_count > 0) image = free_part(model, state, image).clear * image;
   shift_goals(tip, step);
   tip.rest_m = tip.rest_m + image;
@@ -50,7 +50,7 @@ void advance_tip(const Model& model, State& state, Particle& tip, Vec3 direction
   const Vec3 off = (tip.position_m - residual(tip)) - present;
   const float size = move_m < 0 ? -move_m : move_m;
   const float pull_m = has_slides(model) ? kSlidPullM : kMaterialPullM;
-  Vec3 miss = (size / (size + pull_m)) * pull_back_step(model, g, off);
+  Vec3 miss = (size / (size + pull_m)) * pull_back_step(g, off);
   miss = free_part(model, state, miss).clear * miss;
   tip.rest_m = tip.rest_m + miss;
   if (move_m != 0) note_place(model, state);
@@ -108,7 +108,7 @@ void press_membrane(const Model& model, State& state, Particle& tip, Vec3 direct
 float slip_to_membrane(const Model& model, State& state, Particle& tip, Vec3 direction,
                        float slip_m) {
   if (!has_membranes(model) || !(slip_m > 0)) return 1;
-  const Vec3 way = pull_back_step(model, gradient_around(model, state, tip), slip_m * direction);
+  const Vec3 way = pull_back_step(gradient_around(model, state, tip), slip_m * direction);
   const MembraneCrossing met = free_part(model, state, way);
   if (met.material == kNoTissue || holding_membrane(model, state) == met.material) return met.clear;
   hold_at(state, met);
@@ -236,7 +236,7 @@ void cut_after_step(const Model& model, State& state) {
   float move = overshoot(model, tip, before_n, -limit, high_n);
   if (move > 0 && has_membranes(model)) {
     const Gradient g = gradient_around(model, state, tip);
-    move *= free_part(model, state, pull_back_step(model, g, move * own.cut)).clear;
+    move *= free_part(model, state, pull_back_step(g, move * own.cut)).clear;
   }
   if (move == 0) return;
   advance_tip(model, state, tip, own.cut, move);

@@ -20,7 +20,11 @@ Gradient gradient_around(const Model& model, const State& state, const Particle&
     const Corners corners = sum_corners(model, state, p.support[i].slot, p.support[i].row);
     for (int j = 0; j < 9; ++j) f[j] += p.support[i].weight * corners.gradient[j];
   }
-  Gradient g = {{1 + f[0], f[3], f[6]}, {f[1], 1 + f[4], f[7]}, {f[2], f[5], 1 + f[8]}, 0};
+  Gradient g = {{1 + f[0], f[3], f[6]},
+                {f[1], 1 + f[4], f[7]},
+                {f[2], f[5], 1 + f[8]},
+                0,
+                level_of(model, p).edge_m};
   g.det = dot(g.c0, cross(g.c1, g.c2));
   return g;
 }
@@ -31,10 +35,10 @@ Vec3 pull_back(const Gradient& g, Vec3 step) {
                             dot(step, cross(g.c0, g.c1))};
 }
 
-Vec3 pull_back_step(const Model& model, const Gradient& g, Vec3 step_m) {
+Vec3 pull_back_step(const Gradient& g, Vec3 step_m) {
   const Vec3 image = pull_back(g, step_m);
   const float length = norm(image);
-  const float most = max_of(kVoxelReach * model.head->edge_m, norm(step_m));
+  const float most = max_of(kVoxelReach * g.edge_m, norm(step_m));
   return length > most ? (most / length) * image : image;
 }
 

@@ -16,6 +16,7 @@ namespace stylet {
 struct Gradient {
   Vec3 c0, c1, c2;  // columns of I + gradient
   float det;
+  float edge_m;  // of the voxels there
 };
 
 Gradient gradient_around(const Model& model, const State& state, const Particle& p);
@@ -28,6 +29,6 @@ Vec3 pull_back(const Gradient& g, Vec3 step);
 // The same for a long step. A voxel's deformation says nothing about the next voxel: in tissue
 // pressed to a fraction of its length (the dimple of a puncture) the image ends within the
 // voxel.
-Vec3 pull_back_step(const Model& model, const Gradient& g, Vec3 step_m);
+Vec3 pull_back_step(const Gradient& g, Vec3 step_m);
 
 }  // namespace stylet

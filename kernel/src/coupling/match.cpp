@@ -72,6 +72,8 @@ void fill_groups(const Model& model, Scratch& scratch) {
     group.cell[0][lane] = cell.x + 0.5F;
     group.cell[1][lane] = cell.y + 0.5F;
     group.cell[2][lane] = cell.z + 0.5F;
+    group.edge_m[lane] = level_of(model, row).edge_m;
+    group.inverse_edge_per_m[lane] = level_of(model, row).inverse_edge_per_m;
     group.k[lane] = model.slot_k[voxel.slot];
   }
 }
@@ -259,7 +261,7 @@ PresentMatch present_match(const Model& model, const State& state, const Support
       add_member(p, p.support[s], centre, sums);
     }
   });
-  const float k = model.slot_k[own.slot], h = model.head->edge_m;
+  const float k = model.slot_k[own.slot], h = level_of(model, model.row[own.row]).edge_m;
   const Quat alone = corner_rotation(state, own.slot, corners);
   float a[9];
   match_matrix(corners, sums, k, h, a);

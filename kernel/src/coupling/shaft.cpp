@@ -55,7 +55,7 @@ std::uint32_t drop_shaft(const Model& model, State& state, Scratch& scratch, con
   const Gradient g = gradient_around(model, state, tip);
   const Vec3 image = pull_back(g, needle.tip_direction);
   const Vec3 along = (1 / norm(image)) * image;
-  const Vec3 point = tip.rest_m + pull_back_step(model, g, residual(tip));  // at the needle's tip
+  const Vec3 point = tip.rest_m + pull_back_step(g, residual(tip));  // at the needle's tip
   for (std::uint32_t drop = 0; drop < kMaxDropsPerTick; ++drop) {
     const float track = own.drop_track_m + unit, behind = tip.track_m - track;
     if (behind < 0) return 0;

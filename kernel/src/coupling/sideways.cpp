@@ -14,7 +14,7 @@ Vec3 cut_sideways(const Model& model, State& state, Particle& p, Vec3 direction,
   if (!(across_n > limit_n)) return {};
   const Vec3 step = ((across_n - limit_n) / (across_n * p.stiffness_n_per_m)) * across;
   const double before = spring_energy(p);
-  p.rest_m = p.rest_m + pull_back_step(model, gradient_around(model, state, p), step);
+  p.rest_m = p.rest_m + pull_back_step(gradient_around(model, state, p), step);
   shift_goals(p, step);
   state.head->cutting_j += before - spring_energy(p);
   return step;

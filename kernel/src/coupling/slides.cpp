@@ -352,7 +352,7 @@ void fill_points(const Organ& organ, Model& model) {
     const Weights there = weights_at(within(point.place, -kBeyond, 1 + kBeyond));
     point.rest_outside_m = min_of(outside(model.ground[point.ground], there, head.edge_m).m, 0);
     const auto shear_pa = [&](std::uint32_t of_slot) {
-      return head.material[model.slot_material[of_slot]].lattice_shear_pa;
+      return head.material[model.slot_material[of_slot]].lattice[0].shear_pa;
     };
     point.stiffness_n_per_m = kContactStiffness * head.edge_m * given.area *
                               min_of(shear_pa(slot), shear_pa(ground.slot));

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "base/math.h"
+#include "lattice/voxel.h"
 #include "state/layout.h"
 
 namespace stylet {
@@ -129,6 +130,12 @@ inline std::uint32_t heaviest(const Particle& p) {
     if (p.support[i].weight > p.support[best].weight) best = i;
   }
   return best;
+}
+
+// The level of the voxels around it: that of the heaviest.
+inline const Level& level_of(const Model& model, const Particle& p) {
+  if (p.support_count == 0) return model.head->level[0];
+  return level_of(model, model.row[p.support[heaviest(p)].row]);
 }
 
 // Call after a turn of the needle: the axial way of a shaft CP lies along the needle and turns with

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling/stiffness.h"
 
+#include "coupling/spring.h"
 #include "laws/stiff_tip.h"
 
 namespace stylet {
@@ -59,19 +60,28 @@ float line_compliance_along(float radius_m) {
 
 // Shear modulus around a needle inside. A thin skin holds the needle over its own thickness; the
 // one CP in the skin's voxels carries that, or several CPs where units are shorter than edges.
-float shear_inside_pa(const ModelHead& head, const MaterialModel& m, float unit_m) {
-  return m.shear_pa + m.skin_shear_n_per_m / max_of(unit_m, head.edge_m);
+float shear_inside_pa(const MaterialModel& m, float edge_m, float unit_m) {
+  return m.shear_pa + m.skin_shear_n_per_m / max_of(unit_m, edge_m);
+}
+
+// The voxels around a CP: their edge, and the shear modulus of its material in them.
+struct Site {
+  float edge_m, shear_pa;
+};
+Site site_of(const Model& model, const Particle& p) {
+  const Level& level = level_of(model, p);
+  const auto index = &level - model.head->level;
+  return {level.edge_m, model.head->material[p.material].lattice[index].shear_pa};
 }
 
 // Tissue is more compliant along a needle than across, but a match holds one spring, as stiff as
 // across. A second one behind it adds the axial compliance; its way is axial_way_m. This function
 // gives its part of both. (Two stiffnesses in one match would have no rotation in closed form.)
-float axial_fraction_of(const ModelHead& head, const MaterialModel& m, float radius_m, float unit_m,
+float axial_fraction_of(const MaterialModel& m, const Site& site, float radius_m, float unit_m,
                         float own_compliance, float slack) {
-  if (!head.rules.relaxes) return 0;
-  const float shear_pa = shear_inside_pa(head, m, unit_m);
-  const float row = line_compliance_along(kRowRadiusAlong * head.edge_m);
-  const float along = line_compliance_along(radius_m) - row * (shear_pa / m.lattice_shear_pa);
+  const float shear_pa = shear_inside_pa(m, site.edge_m, unit_m);
+  const float row = line_compliance_along(kRowRadiusAlong * site.edge_m);
+  const float along = line_compliance_along(radius_m) - row * (shear_pa / site.shear_pa);
   return 1 - min_of(1, own_compliance * slack * (shear_pa * unit_m) / max_of(along, 1e-6F));
 }
 
@@ -90,19 +100,22 @@ void set_relaxation(const ModelHead& head, Particle& p) {
 // supports is along the needle, because the place they surround lies an edge below the tip.
 struct Footing {
   float deep_pa, upper_ratio, squares, beside;
+  float edge_m;  // of its voxels
 };
 
 Footing ground_under(const Model& model, const Particle& p) {
   const ModelHead& head = *model.head;
+  const float edge_m = level_of(model, p).edge_m;
   Vec3 mean = {};
   for (std::uint32_t i = 0; i < p.support_count; ++i) {
     mean = mean + p.support[i].weight * p.support[i].offset_m;
   }
-  const Vec3 along = (1 / (max_of(norm(mean), 1e-6F) * head.edge_m)) * mean;  // over edges
+  const Vec3 along = (1 / (max_of(norm(mean), 1e-6F) * edge_m)) * mean;  // over edges
   float all = 0, upper = 0, upper_pa = 0, deep_pa = 0, squares = 0, beside = 0;
   for (std::uint32_t i = 0; i < p.support_count; ++i) {
     const Support& support = p.support[i];
-    const float shear_pa = head.material[model.slot_material[support.slot]].lattice_shear_pa;
+    const MaterialModel& m = head.material[model.slot_material[support.slot]];
+    const float shear_pa = m.lattice[model.plane[model.row[support.row].plane].level].shear_pa;
     const float part =
         support.weight / std::sqrt(max_of(shear_pa, 1));  // support_deeper took the root
     const float above = part * clamp(1.5F - dot(support.offset_m, along), 0, 1);
@@ -118,17 +131,16 @@ Footing ground_under(const Model& model, const Particle& p) {
   const float upper_mean = upper_pa / max_of(upper, 1e-30F);
   const float deep_mean = max_of(deep > few ? deep_pa / deep : upper_mean, 1);
   const float ratio = upper > few ? clamp(upper_mean / deep_mean, 0.01F, 1000) : 1;
-  return {deep_mean, ratio, squares / all2, beside / all2};
+  return {deep_mean, ratio, squares / all2, beside / all2, edge_m};
 }
 
 // What yields under a small force, and how much more under a larger one: one tissue like the tip's,
 // so that layers below add what they really yield. Below a thin skin it is the layers: the skin's
 // law covers all that is under it.
 Footing footing_of(const Model& model, const Particle& p) {
-  const MaterialModel& m = model.head->material[p.material];
   Footing footing = ground_under(model, p);
   if (model.forces[p.material].film.force_n > 0) return footing;
-  footing.deep_pa = m.lattice_shear_pa;
+  footing.deep_pa = site_of(model, p).shear_pa;
   footing.upper_ratio = 1;
   return footing;
 }
@@ -140,12 +152,12 @@ float place_part(const Footing& g) {
 
 // Compliance of the lattice under the tip in contact: that of the deeper layer, less below a
 // stiffer layer.
-float surface_compliance(const Model& model, const Footing& g, float poisson) {
+float surface_compliance(const Footing& g, float poisson) {
   const float place = kSurfaceGiveSquares * g.squares + kSurfaceGiveBeside * g.beside;
   const float give = kSurfaceGive - kSurfaceGiveSlope * poisson + kPlaceMean +
                      place_part(g) * (place - kPlaceMean);
   const float spread = (1 + kUpperPart * std::sqrt(g.upper_ratio)) / (1 + kUpperPart);
-  return give * power(spread, -kUpperPower) / (g.deep_pa * model.head->edge_m);
+  return give * power(spread, -kUpperPower) / (g.deep_pa * g.edge_m);
 }
 
 // The required law of contact (cone.h): that of the needle's point on the tissue, steeper where
@@ -206,7 +218,8 @@ float held_n_per_m(const Model& model, const Particle& p) {
 void set_stiffness(const Model& model, State& state, Particle& particle, Role role) {
   const ModelHead& head = *model.head;
   const MaterialModel& m = head.material[particle.material];
-  const float k = m.lattice_shear_pa * head.edge_m;
+  const Site site = site_of(model, particle);
+  const float k = site.shear_pa * site.edge_m;
   const float a = model.needle_config().outer_radius_m;
   const float nu = m.poisson_ratio;
   const float unit = model.needle_config().unit_m;
@@ -219,36 +232,37 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
   switch (role) {
     case Role::kSurface:
       target = wanted_punch(model, state, particle.material).stiffness_n_per_m;
-      lattice_compliance = surface_compliance(model, footing_of(model, particle), nu);
+      lattice_compliance = surface_compliance(footing_of(model, particle), nu);
       least = kLeastOwnPart * lattice_compliance;
       break;
     case Role::kTip:
       // As stiff as in contact, where tissue stiffens: what a puncture finds stored must not be
       // less than the spring inside stores at the same force.
-      target = 24 * kPi * shear_inside_pa(head, m, unit) * a * (1 - nu) / (5 - 6 * nu) * deep;
+      target =
+          24 * kPi * shear_inside_pa(m, site.edge_m, unit) * a * (1 - nu) / (5 - 6 * nu) * deep;
       lattice_compliance = inside_compliance(nu) / k;
       break;
     case Role::kMembrane:
       // A spring, as far as it may come: from nothing to the depth and force of the puncture.
       target = film.force_n / film.depth_m;
       lattice_compliance = inside_compliance(nu) / held_n_per_m(model, particle) +
-                           kMembraneGive / (m.shear_pa * head.edge_m);
+                           kMembraneGive / (m.shear_pa * site.edge_m);
       least = kLeastOwnPart * lattice_compliance;
       break;
     case Role::kShaft:
-      target = shear_inside_pa(head, m, unit) * unit * line_stiffness(a, nu);
+      target = shear_inside_pa(m, site.edge_m, unit) * unit * line_stiffness(a, nu);
       lattice_compliance =
-          1 / (m.lattice_shear_pa * unit *
-               line_stiffness((kRowRadius - kRowRadiusSlope * nu) * head.edge_m, nu));
+          1 / (site.shear_pa * unit *
+               line_stiffness((kRowRadius - kRowRadiusSlope * nu) * site.edge_m, nu));
       slack = kRowSlack;
-      least = least * head.edge_m / unit;
+      least = least * site.edge_m / unit;
       break;
   }
   const float own_compliance = max_of((1 / target - lattice_compliance) / slack, least);
   particle.stiffness_n_per_m = head.rules.voxel_springs ? k : 1 / own_compliance;
   particle.full_stiffness_n_per_m = particle.stiffness_n_per_m;
-  if (role == Role::kShaft) {
-    particle.axial_fraction = axial_fraction_of(head, m, a, unit, own_compliance, slack);
+  if (role == Role::kShaft && head.rules.relaxes) {
+    particle.axial_fraction = axial_fraction_of(m, site, a, unit, own_compliance, slack);
   }
   // A tip in tissue that stiffens hardly ever comes so far that it is as stiff as its target.
   const float asked = role == Role::kShaft ? target : target / deep;
@@ -266,7 +280,7 @@ ContactLaw law_of(const Model& model, const State& state) {
   const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
   const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
   const Footing footing = footing_of(model, tip);
-  const float unit_n = footing.deep_pa * head.edge_m * head.edge_m;
+  const float unit_n = footing.deep_pa * footing.edge_m * footing.edge_m;
   constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
   // Where tissue stiffens, the lattice does, too: it gives no faster under larger forces.
   const float faster = m.stiffening > 0 ? 0 : kGiveGrowth - kGiveGrowthSquares * footing.squares;

@@ -66,7 +66,7 @@ void support_deeper(const Model& model, const State& state, Particle& p, Vec3 di
   const VoxelFrame frame =
       voxel_frame(model, state, p.support[heaviest(p)].slot, p.support[heaviest(p)].row);
   const Particle before = p;
-  const float edge_m = model.head->edge_m;
+  const float edge_m = level_of(model, p).edge_m;
   p.rest_m = p.rest_m + edge_m * transposed_times(frame.rotation, direction);
   renew_supports(model, state, p, Weighting::kStiff);
   if (p.support_count == 0) p = before;

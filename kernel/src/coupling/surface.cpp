@@ -35,7 +35,8 @@ Vertex deformed(const Model& model, const State& state, const OrganVertex& v) {
   const float fy = static_cast<float>(v.fy) * kScale;
   const float fz = static_cast<float>(v.fz) * kScale;
   Vertex out = {};
-  out.rest_m = rest_place(model.organ(), cell_of(model, slot, row), v);
+  out.rest_m =
+      rest_place(model.organ(), cell_of(model, slot, row), model.plane[row.plane].level, v);
   Vec3 moved = {};
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
     const std::uint32_t p = row.node[corner >> 1U] + along + (corner & 1U);

@@ -19,6 +19,7 @@
 #include <type_traits>
 
 #include "base/lanes.h"
+#include "lattice/hanging.h"
 #include "lattice/lattice.h"
 #include "lattice/tiles.h"
 #include "state/layout.h"
@@ -32,14 +33,15 @@ constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velo
 
 struct Motion {
   float dt, tau, keep;
-  float fastest;  // also limits momentum over mass: what is torn so fast loses it
+  // Bounds of a velocity, and of momentum over mass: what is torn so fast loses it.
+  float fastest, most_momentum;
   // Largest displacement so far, as bits: as integers they have the order of floats.
   WideBits largest = {};
 };
 
-inline Wide bounded(Wide velocity, const Motion& motion) {
+inline Wide bounded(Wide velocity, float most) {
   velocity = (velocity + kQuantum) - kQuantum;
-  return no_larger(velocity, motion.fastest);
+  return no_larger(velocity, most);
 }
 
 // Moves a group of lanes along one axis by a velocity.
@@ -87,6 +89,24 @@ struct Wave {
   float* sent(std::uint32_t j, std::uint32_t z) const { return at(j, 3 + z % 2); }
 };
 
+// The same for a graded lattice, whose passes each go through all planes, because nodes of one
+// plane hang on those of another: an array has all planes, each from its first tile of nodes.
+struct GradedWave {
+  float *starts, *bounds, *iterates, *sends;
+  float *work, *packed;
+  std::ptrdiff_t floats, all;  // of a plane's array, and of all planes'
+  const Plane* plane;
+
+  std::ptrdiff_t place(std::uint32_t z) const {
+    return static_cast<std::ptrdiff_t>(plane[z].tiles.node) * kTileFloats;
+  }
+  float* start(std::uint32_t z) const { return starts + place(z); }
+  float* bound(std::uint32_t z) const { return bounds + place(z); }
+  float* of_pass(std::uint32_t j) const { return j > 1 ? iterates + j % 3 * all : starts; }
+  float* iterate(std::uint32_t j, std::uint32_t z) const { return of_pass(j) + place(z); }
+  float* sent(std::uint32_t, std::uint32_t z) const { return sends + z % 2 * floats; }
+};
+
 Wave wave_in(const Model& model, float* memory) {
   const auto floats = static_cast<std::ptrdiff_t>(model.head->counts.tile_floats);
   const std::ptrdiff_t kept = kMaxFilterPasses + 1;
@@ -96,12 +116,20 @@ Wave wave_in(const Model& model, float* memory) {
           floats, model.head->filter.passes + 1};
 }
 
+GradedWave graded_wave_in(const Model& model, float* memory) {
+  const auto floats = static_cast<std::ptrdiff_t>(model.head->counts.tile_floats);
+  const std::ptrdiff_t all = static_cast<std::ptrdiff_t>(model.head->counts.tiles) * kTileFloats;
+  float* const sends = memory + kGradedArrays * all;
+  float* const work = sends + (kGradedPlanes - 1) * floats;
+  return {memory, memory + all, memory + 2 * all, sends, work, work + floats,
+          floats, all,          model.plane};
+}
+
 // Brings a plane into the order of tiles. Lanes that are no place of the plane are zero.
 STYLET_KEEP_APART void start_plane(const Model& model, const State& state, const Scratch& scratch,
-                                   const Wave& wave, std::uint32_t z) {
+                                   std::uint32_t z, float* start, float* bounds) {
   const Plane& plane = model.plane[z];
   const PlaneTiles& own = plane.tiles;
-  float *const start = wave.start(z), *const bounds = wave.bound(z);
   const float* const w = state.wx + plane.particle_begin;
   const std::ptrdiff_t axis = state.wy - state.wx;
   const float* const bound = model.bound + plane.particle_begin;
@@ -232,14 +260,15 @@ inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iter
 // nearest cache until the nodes below them take it.
 constexpr std::ptrdiff_t kTilesTogether = 16;
 
-template <bool kStart>
-STYLET_KEEP_APART void pass_plane_as(const Model& model, const Wave& wave, std::uint32_t j,
+template <bool kStart, typename AnyWave>
+STYLET_KEEP_APART void pass_plane_as(const Model& model, const AnyWave& wave, std::uint32_t j,
                                      std::uint32_t z, float* to) {
   const Plane& plane = model.plane[z];
   const PlaneTiles& own = plane.tiles;
   const Tile *const nodes = model.tile + own.node, *const voxels = model.tile + own.voxel;
   const std::ptrdiff_t voxel_count = own.end - own.voxel;
-  const float *const last = wave.iterate(j, z), *const high = wave.iterate(j, z + 1);
+  const std::uint32_t above_z = z < model.head->counts.planes ? z + 1 : z;  // there: no voxels
+  const float *const last = wave.iterate(j, z), *const high = wave.iterate(j, above_z);
   const float* const below = wave.sent(j, z + 1);  // two planes in turn
   float* const above = wave.sent(j, z);
   const float* const bounds = wave.bound(z);
@@ -280,7 +309,8 @@ STYLET_KEEP_APART void pass_plane_as(const Model& model, const Wave& wave, std::
 
 // Pass j for the voxels of plane z and the particles below them, whose next iterates it writes to
 // `to`.
-inline void pass_plane(const Model& model, const Wave& wave, std::uint32_t j, std::uint32_t z,
+template <typename AnyWave>
+inline void pass_plane(const Model& model, const AnyWave& wave, std::uint32_t j, std::uint32_t z,
                        float* to) {
   if (j == 1) {
     pass_plane_as<true>(model, wave, j, z, to);
@@ -330,20 +360,30 @@ void move_plane(const Plane& plane, State& state, const float* velocity, std::pt
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
       const std::ptrdiff_t at = i + c * own_axis;
-      displace_lanes(bounded(load(velocity + (i + c * axis)), motion), u + at, v + at, e + at,
-                     motion);
+      displace_lanes(bounded(load(velocity + (i + c * axis)), motion.fastest), u + at, v + at,
+                     e + at, motion);
     }
   });
   motion_io = motion;
 }
 
-void move_filtered(const Model& model, State& state, const Wave& wave, std::uint32_t z,
-                   Motion& motion_io) {
+// `iterate`: the last pass's of the plane; `packed`: room for it in the order of particles.
+void move_filtered(const Model& model, State& state, const float* iterate, float* packed,
+                   std::uint32_t z, Motion& motion_io) {
   const Plane& plane = model.plane[z];
   const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
-  pack_plane(model.piece + plane.tiles.node, model.piece + plane.tiles.voxel, wave.work,
-             wave.packed, axis);
-  move_plane(plane, state, wave.packed, axis, motion_io);
+  pack_plane(model.piece + plane.tiles.node, model.piece + plane.tiles.voxel, iterate, packed,
+             axis);
+  move_plane(plane, state, packed, axis, motion_io);
+}
+
+// Without passes the momenta are the velocities.
+void move_unfiltered(const Model& model, State& state, std::uint32_t begin, std::uint32_t end,
+                     Motion& motion_io) {
+  for (std::uint32_t z = begin; z < end; ++z) {
+    const Plane& plane = model.plane[z];
+    move_plane(plane, state, state.wx + plane.particle_begin, state.wy - state.wx, motion_io);
+  }
 }
 
 // Filters and moves the particles of planes [begin, end).
@@ -352,10 +392,7 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
   const std::uint32_t passes = model.head->filter.passes;
   const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
   if (passes == 0) {
-    for (std::uint32_t z = begin; z < end; ++z) {  // the momenta are the velocities
-      const Plane& plane = model.plane[z];
-      move_plane(plane, state, state.wx + plane.particle_begin, state.wy - state.wx, motion);
-    }
+    move_unfiltered(model, state, begin, end, motion);
     return;
   }
   const Wave wave = wave_in(model, floats);
@@ -374,7 +411,7 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     }
   }
   for (std::uint32_t t = first_of(1); t < end + passes; ++t) {
-    if (t < end_of(1)) start_plane(model, state, scratch, wave, t);
+    if (t < end_of(1)) start_plane(model, state, scratch, t, wave.start(t), wave.bound(t));
     for (std::uint32_t j = 1; j < passes && j <= t; ++j) {
       const std::uint32_t z = t - j;
       if (z < first_of(j) || (z + 1 >= end_of(j) && z + 1 != planes)) continue;
@@ -384,7 +421,52 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     const std::uint32_t z = t - passes;
     pass_plane(model, wave, passes, z, wave.work);
     // Before `begin`, only what its voxels give to the first plane is needed.
-    if (z >= begin) move_filtered(model, state, wave, z, motion);
+    if (z >= begin) move_filtered(model, state, wave.work, wave.packed, z, motion);
+  }
+}
+
+// ---- graded lattices
+// ------------------------------------------------------------------------------
+
+// Filters and moves all particles.
+void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
+  const std::uint32_t passes = model.head->filter.passes;
+  const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
+  if (passes == 0) {
+    move_unfiltered(model, state, 0, planes, motion);
+    return;
+  }
+  const GradedWave wave = graded_wave_in(model, scratch.filter);
+  const auto empty = [](float* tile) { std::fill_n(tile, kTileFloats, 0.0F); };
+  for (std::uint32_t i = 0; i < kGradedPlanes; ++i) empty(wave.sends + i * wave.floats);
+  for (std::uint32_t z = 0; z < planes; ++z) {
+    for (std::uint32_t i = 0; i < kGradedArrays; ++i) empty(wave.start(z) + i * wave.all);
+    start_plane(model, state, scratch, z, wave.start(z), wave.bound(z));
+  }
+  bound_in_tiles(model, scratch.coupling_bound, wave.bounds);
+  follow_in_tiles(model, wave.starts);
+  for (std::uint32_t j = 1; j <= passes; ++j) {
+    for (std::uint32_t z = 0; z < planes; ++z) {
+      pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
+    }
+    const FilterPass& pass = model.head->filter.pass[j - 1];
+    give_in_tiles(model, pass, {wave.starts, wave.of_pass(j - 1), wave.of_pass(j)},
+                  wave.of_pass(j + 1));
+    follow_in_tiles(model, wave.of_pass(j + 1));
+  }
+  for (std::uint32_t z = 0; z < planes; ++z) {
+    move_filtered(model, state, wave.iterate(passes + 1, z), wave.packed, z, motion);
+  }
+}
+
+// After the sweep: hanging nodes give their momentum to their masters. Then all particles move, and
+// the nodes follow.
+void finish_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
+  give_momentum(model, state, motion.most_momentum);
+  filter_graded(model, state, scratch, motion);
+  const std::ptrdiff_t axis = state.uy - state.ux;
+  for (float* const values : {&state.ux[0], &state.vx[0], &state.ex[0]}) {
+    follow(model, values, axis);
   }
 }
 

@@ -21,15 +21,15 @@ namespace {
 void see_corners(std::uint32_t lanes, const ModelHead& head, const MatchGroup& group,
                  Matches& matches) {
   const float origin_m[3] = {head.origin_m.x, head.origin_m.y, head.origin_m.z};
-  const float scale = head.inverse_edge_per_m * 0.25F;
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
+    const Wide scale = load(group.inverse_edge_per_m + i) * 0.25F;
     for (int c = 0; c < 3; ++c) {
       const float(&u)[8][kLanes] = matches.corner_m[c];
       const Wide a0 = load(u[0] + i), b0 = load(u[1] + i), s0 = a0 + b0, d0 = b0 - a0;
       const Wide a1 = load(u[2] + i), b1 = load(u[3] + i), s1 = a1 + b1, d1 = b1 - a1;
       const Wide a2 = load(u[4] + i), b2 = load(u[5] + i), s2 = a2 + b2, d2 = b2 - a2;
       const Wide a3 = load(u[6] + i), b3 = load(u[7] + i), s3 = a3 + b3, d3 = b3 - a3;
-      const Wide rest = origin_m[c] + head.edge_m * load(group.cell[c] + i);
+      const Wide rest = origin_m[c] + load(group.edge_m + i) * load(group.cell[c] + i);
       store(matches.centre_m[c] + i, rest + ((s0 + s1) + (s2 + s3)) * 0.125F);
       const Wide along[3] = {((d0 + d1) + (d2 + d3)) * scale, ((s1 - s0) + (s3 - s2)) * scale,
                              ((s2 + s3) - (s0 + s1)) * scale};
@@ -66,11 +66,11 @@ void sum_members(std::uint32_t lanes, const MatchMembers& members, Matches& matc
 // Matrices whose rotations are the matches, scaled to be near the identity at rest. They must be
 // scaled by a number only: rot(A Aqq^-1) is not the minimiser when constraint particles make Aqq
 // anisotropic.
-void join_members(std::uint32_t lanes, float edge_m, const MatchGroup& group, Matches& matches) {
+void join_members(std::uint32_t lanes, const MatchGroup& group, Matches& matches) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
     const auto sum = [&](std::uint32_t which) { return load(matches.sum[which] + i); };
     const Wide k = load(group.k + i), whole = 8 * k + sum(Matches::kWeight);
-    const Wide corner = 2 * k * edge_m * edge_m;
+    const Wide edge_m = load(group.edge_m + i), corner = 2 * k * edge_m * edge_m;
     Wide offset[3];
     for (std::uint32_t c = 0; c < 3; ++c) offset[c] = sum(Matches::kOffset + c);
     const Wide trace =
@@ -138,11 +138,11 @@ inline Wide turned(const WideMat3& by, std::uint32_t c, const Wide (&v)[3]) {
 }
 
 // Places of the matches now, and their change for the corners, k ((t' - t) + (R' - R) q).
-void place_matches(std::uint32_t lanes, float edge_m, Matches& matches, MatchGroup& group) {
+void place_matches(std::uint32_t lanes, Matches& matches, MatchGroup& group) {
   for (std::uint32_t i = 0; i < lanes; i += kWide) {
     const WideMat3 r8 = rotation_matrix(matches.corner_turn, i);
     const WideMat3 r = rotation_matrix(matches.joint_turn, i);
-    const Wide k = load(group.k + i), turn_k = k * edge_m * 0.5F;
+    const Wide k = load(group.k + i), turn_k = k * load(group.edge_m + i) * 0.5F;
     const Wide inverse = 1 / load(matches.whole + i);
     Wide offset[3];
     for (std::uint32_t c = 0; c < 3; ++c) offset[c] = load(matches.sum[Matches::kOffset + c] + i);
@@ -184,9 +184,9 @@ STYLET_KEEP_APART void match_groups(const Model& model, State& state, Scratch& s
       take_members(state, scratch, group, n, matches, members);
       sum_members<false>(lanes, members, matches);
     }
-    join_members(lanes, head.edge_m, group, matches);
+    join_members(lanes, group, matches);
     turn_matches(lanes, matches);
-    place_matches(lanes, head.edge_m, matches, group);
+    place_matches(lanes, matches, group);
     if (scratch.head->substeps_to_come == 0) give_goals(state, scratch, group, matches);
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "lattice/hanging.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 
@@ -249,6 +250,8 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   c.needles = config.needle_count;
   c.voxels = organ.voxel_count;
   c.sheets = organ.size_y / organ.sheet_rows;
+  c.levels = organ.levels;
+  count_hanging(organ, c);
   c.ties = static_cast<std::uint32_t>(organ.ties.size());
   Totals totals = {};
   Planes planes(organ);
@@ -272,7 +275,7 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   // The sweep works in whole lanes, so it touches up to two groups behind the last row.
   c.particles = static_cast<std::uint32_t>(totals.particles) + 2 * kLanes;
   c.particles_per_plane = static_cast<std::uint32_t>(totals.particles_of_plane) + 2 * kLanes;
-  if (config.inertia == Inertia::kTrueMass) {
+  if (config.inertia == Inertia::kTrueMass || c.levels > 1) {
     c.filtered_particles = c.particles;
     c.filtered_slots = c.slots + kLanes;  // pieces are read in whole lanes
     count_tiles(organ, c);
@@ -290,6 +293,8 @@ void fill_lattice(const Organ& organ, Model& model) {
     Plane& plane = model.plane[i];
     const bool voxels = planes.next(z, here);  // not in the last
     plane.z = z;
+    plane.level = level_of(organ.level_planes, z);
+    plane.z_in_level = z - first_plane(organ.level_planes, plane.level);
     plane.row_begin = row;
     plane.slot_begin = slot;
     plane.particle_begin = particle;

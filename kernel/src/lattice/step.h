@@ -118,7 +118,7 @@ void sweep_plane(const Model& model, State& state, Scratch& scratch, const Plane
   for (std::uint32_t from = 0; from < count; from += kChunk) {
     const std::uint32_t lanes = count - from < kChunk ? count - from : kChunk;
     row = sum_rows(places, sums, row, end, at + front, from + kChunk - front);
-    match_slots(head, slots, from, front, lanes, carry);
+    match_slots(head, head.level[plane.level], slots, from, front, lanes, carry);
     for (; open != row && open->slot + open->count < at + from + lanes; ++open) {
     }
     const Window* const to =
@@ -160,7 +160,7 @@ void move_particles(const Model& model, State& state, const Plane& plane, float*
       const std::ptrdiff_t at = i + c * axis, f = i + c * force_axis;
       const Wide velocity =
           pushed(force + f, load(per_mass + i), load(hold + i), v + at, e + at, motion.keep);
-      displace_lanes(bounded(velocity, motion), u + at, v + at, e + at, motion);
+      displace_lanes(bounded(velocity, motion.fastest), u + at, v + at, e + at, motion);
       store(force + f, Wide{});
     }
   });
@@ -181,7 +181,7 @@ void push_particles(const Model& model, State& state, const Plane& plane, float*
       const std::ptrdiff_t at = i + c * axis, f = i + c * force_axis;
       const Wide momentum =
           pushed(force + f, load(per_mass + i), load(hold + i), w + at, e + at, motion.keep);
-      store(w + at, bounded(momentum, motion));
+      store(w + at, bounded(momentum, motion.most_momentum));
       store(force + f, Wide{});
     }
   });
@@ -323,10 +323,16 @@ void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part
   part.high = up ? here : part.kept;
 }
 
+// The more passes, the more of a short wave's momentum goes into no velocity: with the bound of
+// seven passes, tissue of several levels that was crushed lost so much that it gained energy.
 Motion start_motion(const ModelHead& head) {
+  const std::uint32_t passes = std::max(head.filter.passes, kMaxFilterPasses);
+  const float slower = static_cast<float>(passes + 1) / static_cast<float>(kMaxFilterPasses + 1);
+  const float fastest =
+      kMaxEdgesPerSubstep * head.level[head.counts.levels - 1].edge_m / head.substep_s;
   return {head.substep_s, head.config.tissue_damping_s,
-          1 - head.substep_s * head.config.surround_drag_per_s,
-          kMaxEdgesPerSubstep * head.edge_m / head.substep_s};
+          1 - head.substep_s * head.config.surround_drag_per_s, fastest,
+          fastest * (slower * slower)};
 }
 
 // Groups of coupled voxels [begin, end) whose voxels are all in one slab.
@@ -419,7 +425,9 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
     clear(view.model, view.scratch.force);
     clear(view.model, view.scratch.force + 3 * std::size_t{head.counts.particles_per_plane});
     sweep_planes(view.model, view.state, view.scratch, whole, motion);
-    if (has_true_mass(view.model)) {
+    if (is_graded(view.model)) {
+      finish_graded(view.model, view.state, view.scratch, motion);
+    } else if (has_true_mass(view.model)) {
       filter_planes(view.model, view.state, view.scratch, 0, head.counts.planes + 1,
                     view.scratch.filter, motion);
     }
@@ -435,7 +443,9 @@ void STYLET_LATTICE_STEP(const Kernel& kernel) {
       below =
           join_part(view.model, view.state, view.scratch, below, own.up ? helping : own, motion);
     }
-    if (has_true_mass(view.model)) {
+    if (is_graded(view.model)) {
+      finish_graded(view.model, view.state, view.scratch, motion);
+    } else if (has_true_mass(view.model)) {
       sweep_together(kernel, filter_part);
       for (std::uint32_t s = 0; s < team.slab_count; ++s) join(motion, team.part[s]);
     }

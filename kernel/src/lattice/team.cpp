@@ -47,7 +47,7 @@ TeamSizes team_sizes(const Counts& counts) {
   // Windows read the lanes before the sums, but do not use them.
   return {kLanes + whole(std::uint64_t{12} * counts.slots_at_once),
           whole(std::uint64_t{3} * kForceParts * counts.particles_per_plane),
-          whole(counts.filter_floats)};
+          whole(counts.levels > 1 ? 0 : counts.filter_floats)};
 }
 
 // One slab per thread.

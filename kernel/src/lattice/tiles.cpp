@@ -175,6 +175,14 @@ void fill_ties(const Plane& plane, Model& model) {
 
 }  // namespace
 
+std::uint32_t place_in_tiles(const Model& model, std::uint32_t particle) {
+  const Plane* const first = model.plane;
+  const Plane* const behind = std::upper_bound(
+      first, first + model.head->counts.planes + 1, particle,
+      [](std::uint32_t at, const Plane& plane) { return at < plane.particle_begin; });
+  return behind[-1].tiles.node * kTileFloats + place_of(model, behind[-1], particle);
+}
+
 void count_tiles(const Organ& organ, Counts& counts_io) {
   for_each_plane(organ, counts_io.planes, [&](std::uint32_t i, Runs below, Runs here, Runs) {
     count_plane<2>({here, below}, counts_io);
@@ -183,8 +191,12 @@ void count_tiles(const Organ& organ, Counts& counts_io) {
   counts_io.tiles += counts_io.planes + 1;  // an empty one behind each plane's
   counts_io.filtered_ties = counts_io.ties;
   counts_io.tile_floats = (counts_io.tile_floats + kLanes - 1) / kLanes * kLanes;
-  counts_io.filter_floats = std::uint64_t{kFilterArrays} * counts_io.tile_floats +
-                            std::uint64_t{3} * counts_io.particles_per_plane;
+  const std::uint64_t all = std::uint64_t{counts_io.tiles} * kTileFloats;
+  const bool graded = counts_io.levels > 1;
+  counts_io.filter_floats =
+      (graded ? kGradedArrays * all + std::uint64_t{kGradedPlanes} * counts_io.tile_floats
+              : std::uint64_t{kFilterArrays} * counts_io.tile_floats) +
+      std::uint64_t{3} * counts_io.particles_per_plane;
 }
 
 void fill_tiles(const Organ& organ, Model& model) {

@@ -32,6 +32,13 @@ constexpr std::uint32_t kPassPlanes = 5;
 constexpr std::uint32_t kFilterArrays =
     2 * (kMaxFilterPasses + 1) + kPassPlanes * kMaxFilterPasses + 1;
 
+// A graded lattice keeps all planes, pass by pass (filter_passes.h): start values, bounds and three
+// iterates; and two planes of what voxels send, and the plane at work.
+constexpr std::uint32_t kGradedArrays = 5, kGradedPlanes = 3;
+
+// Where a particle lies in an array of all planes' tiles, each plane from its first tile of nodes.
+std::uint32_t place_in_tiles(const Model& model, std::uint32_t particle);
+
 // Adds the numbers of tiles to `counts_io`.
 void count_tiles(const Organ& organ, Counts& counts_io);
 

@@ -6,17 +6,25 @@
 namespace stylet {
 namespace {
 
-// Calls visit(slot, row) for the filled voxels of all sheets in a cell of space.
+// A cell of space at a level, in edges of that level.
+struct Cell {
+  std::int32_t x, y, z;
+  std::uint32_t level;
+};
+
+// Calls visit(slot, row) for the level's filled voxels of all sheets in a cell of space.
 template <typename Visit>
-void each_voxel(const Model& model, std::int32_t x, std::int32_t y, std::int32_t z, Visit visit) {
+void each_voxel(const Model& model, const Cell& cell, Visit visit) {
   const ModelHead& head = *model.head;
-  if (y < 0 || y >= head.sheet_rows || z < 0 || z >= head.size_z) return;
-  for (std::int32_t sheet_y = y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
-    const std::uint32_t index =
-        row_at(model, x, static_cast<std::uint32_t>(sheet_y), static_cast<std::uint32_t>(z));
+  const Level& level = head.level[cell.level];
+  const auto planes = static_cast<std::int32_t>(level.planes);
+  if (cell.y < 0 || cell.y >= head.sheet_rows || cell.z < 0 || cell.z >= planes) return;
+  const std::uint32_t z = level.first_plane + static_cast<std::uint32_t>(cell.z);
+  for (std::int32_t sheet_y = cell.y; sheet_y < head.size_y; sheet_y += head.sheet_rows) {
+    const std::uint32_t index = row_at(model, cell.x, static_cast<std::uint32_t>(sheet_y), z);
     if (index == kNoRow) continue;
     const Row& row = model.row[index];
-    const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(x - row.x0);
+    const std::uint32_t slot = row.slot + static_cast<std::uint32_t>(cell.x - row.x0);
     if (model.slot_k[slot] > 0) visit(slot, index);  // else a hole in the row
   }
 }
@@ -30,18 +38,39 @@ bool is_own(const Model& model, std::uint32_t slot, Vec3 f) {
   return ((model.quarters[slot] >> bit) & 1U) != 0;
 }
 
-// A filled voxel of a cell in space, from all sheets: the owner of the place `f`; else any of them.
-bool voxel_around(const Model& model, Vec3 cell, Vec3 f, std::uint32_t& slot_out,
+// The level's filled voxel of a cell in space, from all sheets: the owner of the place `f`; else
+// any of them.
+bool voxel_around(const Model& model, const Cell& cell, Vec3 f, std::uint32_t& slot_out,
                   std::uint32_t& row_out) {
   bool found = false;
-  each_voxel(model, static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y),
-             static_cast<std::int32_t>(cell.z), [&](std::uint32_t slot, std::uint32_t row) {
-               if (found && !is_own(model, slot, f)) return;
-               found = true;
-               slot_out = slot;
-               row_out = row;
-             });
+  each_voxel(model, cell, [&](std::uint32_t slot, std::uint32_t row) {
+    if (found && !is_own(model, slot, f)) return;
+    found = true;
+    slot_out = slot;
+    row_out = row;
+  });
   return found;
+}
+
+// The voxel in which a rest point lies, of the finest level that has one there, and where in it (0
+// to 1 along each axis); false if in none.
+bool find_voxel(const Model& model, Vec3 rest_m, std::uint32_t& slot_out, std::uint32_t& row_out,
+                Vec3& part_out) {
+  const ModelHead& head = *model.head;
+  for (std::uint32_t level = head.counts.levels; level-- > 0;) {
+    const Level& own = head.level[level];
+    const Vec3 g = own.inverse_edge_per_m * (rest_m - head.origin_m);
+    if (!(g.x >= 0 && g.y >= 0 && g.z >= 0 && g.x < static_cast<float>(head.size_x) &&
+          g.y < static_cast<float>(head.sheet_rows) && g.z < static_cast<float>(own.planes))) {
+      continue;
+    }
+    const Cell cell = {static_cast<std::int32_t>(g.x), static_cast<std::int32_t>(g.y),
+                       static_cast<std::int32_t>(g.z), level};
+    part_out = g - Vec3{static_cast<float>(cell.x), static_cast<float>(cell.y),
+                        static_cast<float>(cell.z)};
+    if (voxel_around(model, cell, part_out, slot_out, row_out)) return true;
+  }
+  return false;
 }
 
 // The particle at a voxel's corner (bits x, y, z), or the one that it is tied to. Only with sheets.
@@ -50,23 +79,27 @@ std::uint32_t corner_particle(const Model& model, std::uint32_t slot, const Row&
   return model.representative[row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U)];
 }
 
-// The eight cells around a place, the lowest first; where the place lies between their centres.
+// The eight cells of a level around a place, the lowest first; where the place lies between their
+// centres.
 struct Around {
-  std::int32_t x0, y0, z0;
+  Cell low;
   Vec3 f;
+
+  Cell cell(std::int32_t corner) const {
+    return {low.x + (corner & 1), low.y + ((corner >> 1) & 1), low.z + (corner >> 2), low.level};
+  }
 };
 
-Around cells_around(const ModelHead& head, Vec3 rest_m) {
-  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
+Around cells_around(const ModelHead& head, std::uint32_t level, Vec3 rest_m) {
+  const Vec3 g =
+      head.level[level].inverse_edge_per_m * (rest_m - head.origin_m) - Vec3{0.5F, 0.5F, 0.5F};
   // Truncation of a shifted value: floor without libm. Points as far out as the bounds have no
   // voxel, and a NaN becomes such a point.
   const auto whole = [](float v) {
     return static_cast<std::int32_t>(max_of(-2, min_of(v, 70000)) + 4.0F) - 4;
   };
   const std::int32_t x0 = whole(g.x), y0 = whole(g.y), z0 = whole(g.z);
-  return {x0,
-          y0,
-          z0,
+  return {{x0, y0, z0, level},
           {clamp(g.x - static_cast<float>(x0), 0, 1), clamp(g.y - static_cast<float>(y0), 0, 1),
            clamp(g.z - static_cast<float>(z0), 0, 1)}};
 }
@@ -77,10 +110,43 @@ float tent(const Around& around, std::int32_t corner) {
          ((corner & 4) != 0 ? f.z : 1 - f.z);
 }
 
-template <typename Visit>
-void each_voxel(const Model& model, const Around& around, std::int32_t corner, Visit visit) {
-  each_voxel(model, around.x0 + (corner & 1), around.y0 + ((corner >> 1) & 1),
-             around.z0 + (corner >> 2), visit);
+// The level whose cells around a place hold it: that of the voxel in which it lies; of a place in
+// none, the finest one with a voxel around it.
+std::uint32_t level_around(const Model& model, Vec3 rest_m) {
+  std::uint32_t slot = 0, row = 0;
+  Vec3 part = {};
+  if (!is_graded(model)) return 0;
+  if (find_voxel(model, rest_m, slot, row, part)) return model.plane[model.row[row].plane].level;
+  std::uint32_t level = model.head->counts.levels - 1;
+  for (bool any = false; level > 0 && !any; level -= any ? 0 : 1) {
+    const Around around = cells_around(*model.head, level, rest_m);
+    for (std::int32_t corner = 0; corner < 8; ++corner) {
+      each_voxel(model, around.cell(corner), [&](auto...) { any = true; });
+    }
+  }
+  return level;
+}
+
+// Where a cell around a place belongs to another level: the coarser voxel that holds it, or of the
+// finer ones in it the one that is nearest to the place.
+bool voxel_across(const Model& model, const Around& around, std::int32_t corner,
+                  std::uint32_t& slot_out, std::uint32_t& row_out) {
+  const ModelHead& head = *model.head;
+  const Cell cell = around.cell(corner);
+  // The cell's point nearest to the place, but within the cell.
+  constexpr float kInset = 1.0F / 16;
+  const auto nearest = [](float f, bool high) {
+    return high ? max_of(f - 0.5F, kInset) : min_of(f + 0.5F, 1 - kInset);
+  };
+  const Vec3 f = {nearest(around.f.x, (corner & 1) != 0), nearest(around.f.y, (corner & 2) != 0),
+                  nearest(around.f.z, (corner & 4) != 0)};
+  const Vec3 at_m =
+      head.origin_m +
+      head.level[cell.level].edge_m * (Vec3{static_cast<float>(cell.x), static_cast<float>(cell.y),
+                                            static_cast<float>(cell.z)} +
+                                       f);
+  Vec3 part = {};
+  return find_voxel(model, at_m, slot_out, row_out, part);
 }
 
 // The eight cells have one node in common. With sheets, the part in which the place lies says which
@@ -95,7 +161,7 @@ std::uint32_t common_particle(const Model& model, const Around& around) {
     };
     const Vec3 f = {in_cell(around.f.x, 0), in_cell(around.f.y, 1), in_cell(around.f.z, 2)};
     const float weight = tent(around, corner);
-    each_voxel(model, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
+    each_voxel(model, around.cell(corner), [&](std::uint32_t slot, std::uint32_t row_index) {
       const Row& row = model.row[row_index];
       const float rank = is_own(model, slot, f) ? 2 * weight : weight;
       if (!(rank > best)) return;
@@ -108,11 +174,23 @@ std::uint32_t common_particle(const Model& model, const Around& around) {
 
 }  // namespace
 
+// Found through any voxel row beside it.
+std::uint32_t node_at(const Model& model, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  const ModelHead& head = *model.head;
+  for (std::uint32_t side = 0; side < 8; ++side) {
+    const std::uint32_t dx = side & 1U, dy = (side >> 1U) & 1U, dz = side >> 2U;
+    if (x < dx || y < dy || z < dz || y - dy >= head.size_y || z - dz >= head.size_z) continue;
+    const std::uint32_t row = row_at(model, static_cast<std::int32_t>(x - dx), y - dy, z - dz);
+    if (row != kNoRow) return model.row[row].node[side >> 1U] + x - model.row[row].x0;
+  }
+  return 0;
+}
+
 Corners sum_corners(const Model& model, const State& state, std::uint32_t slot,
                     std::uint32_t row_index) {
   const Row& row = model.row[row_index];
   const std::uint32_t along = slot - row.slot;
-  const float scale = model.head->inverse_edge_per_m * 0.25F;
+  const float scale = level_of(model, row).inverse_edge_per_m * 0.25F;
   const float* u[3] = {state.ux, state.uy, state.uz};
   Corners out = {};
   float mean[3] = {};
@@ -136,8 +214,8 @@ Corners sum_corners(const Model& model, const State& state, std::uint32_t slot,
 }
 
 Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row) {
-  const ModelHead& head = *model.head;
-  return head.origin_m + head.edge_m * (cell_of(model, slot, row) + Vec3{0.5F, 0.5F, 0.5F});
+  const float edge_m = level_of(model, row).edge_m;
+  return model.head->origin_m + edge_m * (cell_of(model, slot, row) + Vec3{0.5F, 0.5F, 0.5F});
 }
 
 void sum_tied(const Model& model, float* of_node) {
@@ -163,26 +241,6 @@ Quat corner_rotation(const State& state, std::uint32_t slot, const Corners& corn
   const float a[9] = {1 + g[0], g[1], g[2], g[3], 1 + g[4], g[5], g[6], g[7], 1 + g[8]};
   return rotation_of(a, {state.qw[slot], state.qx[slot], state.qy[slot], state.qz[slot]});
 }
-
-namespace {
-
-// The voxel in which a rest point lies, and where in it (0 to 1 along each axis); false if in none.
-bool find_voxel(const Model& model, Vec3 rest_m, std::uint32_t& slot_out, std::uint32_t& row_out,
-                Vec3& part_out) {
-  const ModelHead& head = *model.head;
-  const Vec3 g = head.inverse_edge_per_m * (rest_m - head.origin_m);
-  if (!(g.x >= 0 && g.y >= 0 && g.z >= 0 && g.x < static_cast<float>(head.size_x) &&
-        g.y < static_cast<float>(head.sheet_rows) && g.z < static_cast<float>(head.size_z))) {
-    return false;
-  }
-  const Vec3 low = {static_cast<float>(static_cast<std::uint32_t>(g.x)),
-                    static_cast<float>(static_cast<std::uint32_t>(g.y)),
-                    static_cast<float>(static_cast<std::uint32_t>(g.z))};
-  part_out = g - low;
-  return voxel_around(model, low, part_out, slot_out, row_out);
-}
-
-}  // namespace
 
 bool present_place(const Model& model, const State& state, Vec3 rest_m, Vec3& place_out_m) {
   std::uint32_t slot = 0, row_index = 0;
@@ -224,32 +282,63 @@ VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slo
   return {rotation_matrix(corner_rotation(state, slot, corners)), rest + corners.mean_m, rest};
 }
 
+namespace {
+
+// A place's supports as they are found. Cells of one level may lie in the same coarser voxel.
+struct Supports {
+  Support* of;
+  std::uint32_t count = 0;
+  float sum = 0;  // of weights
+
+  void add(std::uint32_t slot, std::uint32_t row, float weight) {
+    sum = sum + weight;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (of[i].slot == slot) {
+        of[i].weight = of[i].weight + weight;
+        return;
+      }
+    }
+    of[count++] = {slot, row, weight, {}, {}, {}};
+  }
+};
+
+}  // namespace
+
 std::uint32_t find_supports(const Model& model, Vec3 rest_m,
                             Support supports_out[kSupportsPerParticle], Weighting weighting) {
   const ModelHead& head = *model.head;
-  const Around around = cells_around(head, rest_m);
+  const Around around = cells_around(head, level_around(model, rest_m), rest_m);
   const bool one_sheet = head.counts.sheets == 1;
   const std::uint32_t particle = one_sheet ? 0 : common_particle(model, around);
-  std::uint32_t count = 0;
-  float sum = 0;
+  Supports found = {supports_out};
   for (std::int32_t corner = 0; corner < 8; ++corner) {
     const float of_corner = weighting == Weighting::kEven ? 0.125F : tent(around, corner);
-    bool taken = false;  // one voxel per cell is enough
-    each_voxel(model, around, corner, [&](std::uint32_t slot, std::uint32_t row_index) {
+    const auto weight_of = [&](std::uint32_t slot) {
       const float fill = model.slot_fill[slot];
-      const float part =
-          weighting == Weighting::kStiff ? std::sqrt(fill * model.slot_k[slot]) : fill;
-      const float weight = of_corner * part;
+      return of_corner *
+             (weighting == Weighting::kStiff ? std::sqrt(fill * model.slot_k[slot]) : fill);
+    };
+    bool taken = false;  // one voxel per cell is enough
+    each_voxel(model, around.cell(corner), [&](std::uint32_t slot, std::uint32_t row_index) {
+      const float weight = weight_of(slot);
       const auto common = 7U - static_cast<std::uint32_t>(corner);
       if (taken || !(weight > 0) ||
           !(one_sheet || corner_particle(model, slot, model.row[row_index], common) == particle)) {
         return;
       }
-      supports_out[count++] = {slot, row_index, weight, {}, {}, {}};
-      sum = sum + weight;
+      found.add(slot, row_index, weight);
       taken = true;
     });
+    std::uint32_t slot = 0, row = 0;
+    if (taken || !is_graded(model) || !one_sheet ||
+        !voxel_across(model, around, corner, slot, row)) {
+      continue;
+    }
+    const float weight = weight_of(slot);
+    if (weight > 0) found.add(slot, row, weight);
   }
+  std::uint32_t count = found.count;
+  float sum = found.sum;
   if (count > 0 && head.rules.one_support) {
     std::uint32_t best = 0;
     for (std::uint32_t i = 1; i < count; ++i) {

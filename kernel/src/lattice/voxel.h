@@ -45,12 +45,19 @@ inline std::uint32_t row_at(const Model& model, std::int32_t x, std::uint32_t y,
   return holds && model.plane[row.plane].z == z ? index : kNoRow;
 }
 
-// Cell of a voxel in space, in edges from the lattice's origin.
+// Particle at an existing node of the lattice.
+std::uint32_t node_at(const Model& model, std::uint32_t x, std::uint32_t y, std::uint32_t z);
+
+inline const Level& level_of(const Model& model, const Row& row) {
+  return model.head->level[model.plane[row.plane].level];
+}
+
+// Cell of a voxel in space, in edges of its level from the lattice's origin.
 inline Vec3 cell_of(const Model& model, std::uint32_t slot, const Row& row) {
   const std::uint32_t sheet_rows = model.head->sheet_rows;
   const std::uint32_t y = row.y < sheet_rows ? row.y : row.y % sheet_rows;
   return {static_cast<float>(row.x0 + (slot - row.slot)), static_cast<float>(y),
-          static_cast<float>(model.plane[row.plane].z)};
+          static_cast<float>(model.plane[row.plane].z_in_level)};
 }
 
 Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row);

@@ -284,9 +284,10 @@ STYLET_KEEP_APART void send_slots(std::uint32_t lanes, const Slots& slots, float
 }
 
 // Stage 2 for slots from `from` on, a multiple of kLanes; the sums begin with slot `front`.
-__attribute__((always_inline)) inline void match_slots(const ModelHead& head, const Slots& plane,
-                                                       std::uint32_t from, std::uint32_t front,
-                                                       std::uint32_t lanes, Carry& carry) {
+__attribute__((always_inline)) inline void match_slots(const ModelHead& head, const Level& level,
+                                                       const Slots& plane, std::uint32_t from,
+                                                       std::uint32_t front, std::uint32_t lanes,
+                                                       Carry& carry) {
   const Slots slots = {{plane.sums.at + (from - front), plane.sums.stride},
                        plane.stiffness + from,
                        plane.volume + from,
@@ -296,12 +297,12 @@ __attribute__((always_inline)) inline void match_slots(const ModelHead& head, co
                        plane.qy + from,
                        plane.qz + from};
   Seen seen;
-  see_slots(lanes, slots, 4 * head.edge_m, seen);
-  shift_slots(lanes, 4 * head.edge_m, seen);
+  see_slots(lanes, slots, 4 * level.edge_m, seen);
+  shift_slots(lanes, 4 * level.edge_m, seen);
   turn_slots(lanes, slots, seen);
   unit_slots(lanes, seen, slots);
-  const float chi = head.hourglass_weight, half_edge = head.edge_m * 0.5F;
-  const float scale = head.inverse_edge_per_m * 0.25F;
+  const float chi = head.hourglass_weight, half_edge = level.edge_m * 0.5F;
+  const float scale = level.inverse_edge_per_m * 0.25F;
   if (head.counts.stiffening_slots == 0) {
     send_slots<Linear>(lanes, slots, chi, half_edge, scale, carry);
   } else {

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "organ/check_levels.h"
 #include "organ/check_slides.h"
 #include "organ/checker.h"
 #include "organ/runs.h"
@@ -28,9 +29,10 @@ static_assert(sizeof(OrganPart) == sizeof(format::Part));
 static_assert(sizeof(OrganPoint) == sizeof(format::MembranePoint));
 static_assert(sizeof(OrganMembraneCell) == sizeof(format::MembraneCell));
 static_assert(sizeof(OrganSlidePoint) == sizeof(format::SlidePoint));
+static_assert(sizeof(OrganHanging) == sizeof(format::Hanging));
 static_assert(sizeof(OrganSlideGround) == sizeof(format::SlideGround));
 
-constexpr std::uint32_t kNewestFormat = 4;
+constexpr std::uint32_t kNewestFormat = 5;
 constexpr float kMaxPointM = 8;  // every place that matters is nearer: see kMaxOriginM
 
 template <typename Mine, typename Theirs>
@@ -411,6 +413,12 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
     organ.membrane_triangles = view<OrganTriangle>(membranes->triangles());
     organ.membrane_cells = view<OrganMembraneCell>(membranes->cells());
   }
+  organ.level_planes = organ.size_z;
+  if (const format::Levels* levels = root.levels()) {
+    organ.levels = levels->count();
+    organ.level_planes = levels->planes();
+    organ.hanging = view<OrganHanging>(levels->hanging());
+  }
   if (const format::Slides* slides = root.slides()) {
     organ.slide_points = view<OrganSlidePoint>(slides->points());
     organ.slide_grounds = view<OrganSlideGround>(slides->grounds());
@@ -436,14 +444,15 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
       const format::Organ& root = *format::GetOrgan(data);
       const std::uint32_t version = root.format_version();
       if (check.require(version >= 1 && version <= kNewestFormat, Status::kOrganVersionUnknown,
-                        "format_version", 0, version, "version 1 to 4")) {
+                        "format_version", 0, version, "version 1 to 5")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
                check_sheets(check, organ, version) && check_materials(check, organ) &&
                check_voxels(check, organ) && check_mixed(check, organ, version) &&
                check_surface(check, organ) && check_spheres(check, organ) &&
                check_membranes(check, organ, version) &&
-               (root.slides() == nullptr || check_slides(check, organ)));
+               (root.slides() == nullptr || check_slides(check, organ)) &&
+               (root.levels() == nullptr || check_levels(check, organ)));
       }
     }
   }

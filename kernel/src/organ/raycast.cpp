@@ -8,22 +8,18 @@
 namespace stylet {
 namespace {
 
-// Lattice coordinates of a voxel, by walking the runs: callers only ask for a few triangles.
-Vec3 voxel_low_corner(const Organ& organ, std::uint32_t voxel) {
+// Walks the runs for the voxel: callers only ask for a few triangles.
+Vec3 vertex_rest(const Organ& organ, std::uint32_t index) {
+  const OrganVertex& v = organ.vertices[index];
   std::uint32_t first = 0;
   for (const OrganRun& run : organ.runs) {
-    if (voxel < first + run.count) {
-      return {static_cast<float>(run.x + (voxel - first)),
-              static_cast<float>(run.y % organ.sheet_rows), static_cast<float>(run.z)};
+    if (v.voxel < first + run.count) {
+      return organ_vertex_place(organ, run.x + (v.voxel - first),
+                                std::uint32_t{run.y} % organ.sheet_rows, run.z, v);
     }
     first += run.count;
   }
   return {};
-}
-
-Vec3 vertex_rest(const Organ& organ, std::uint32_t index) {
-  const OrganVertex& v = organ.vertices[index];
-  return rest_place(organ, voxel_low_corner(organ, v.voxel), v);
 }
 
 bool near_ray(const OrganSphere& sphere, Vec3 origin_m, Vec3 direction) {
@@ -37,9 +33,11 @@ bool near_ray(const OrganSphere& sphere, Vec3 origin_m, Vec3 direction) {
 
 Vec3 organ_vertex_place(const Organ& organ, std::uint32_t voxel_x, std::uint32_t voxel_y,
                         std::uint32_t voxel_z, const OrganVertex& vertex) {
+  const std::uint32_t level = level_of(organ.level_planes, voxel_z);
+  const std::uint32_t z = voxel_z - first_plane(organ.level_planes, level);
   const Vec3 voxel = {static_cast<float>(voxel_x), static_cast<float>(voxel_y),
-                      static_cast<float>(voxel_z)};
-  return rest_place(organ, voxel, vertex);
+                      static_cast<float>(z)};
+  return rest_place(organ, voxel, level, vertex);
 }
 
 bool organ_raycast(const Organ& organ, Vec3 origin_m, Vec3 direction, float& distance_out_m) {

@@ -133,6 +133,12 @@ class Planes {
   bool empty_ = false;
 };
 
+// Where line y of nodes lies in space. (The last row of each sheet is empty, but not where there is
+// one sheet: there y may be its number of rows.)
+inline std::uint32_t line_in_space(const Organ& organ, std::uint32_t y) {
+  return organ.size_y == organ.sheet_rows ? y : y % organ.sheet_rows;
+}
+
 // Whether row (y, z) has a voxel in [x.begin, x.end).
 bool has_voxel(const Organ& organ, Extent x, std::uint32_t y, std::uint32_t z);
 // Whether (x, y, z) is a node: the corner of a voxel.

@@ -3,16 +3,18 @@
 #pragma once
 
 #include "base/math.h"
+#include "organ/levels.h"
 #include "stylet/organ.h"
 
 namespace stylet {
 
-// Place at rest of a surface vertex; `voxel` has the lattice coordinates of its voxel.
-inline Vec3 rest_place(const Organ& organ, Vec3 voxel, const OrganVertex& v) {
+// Place at rest of a surface vertex; `voxel` has the cell of its voxel in space, in edges of its
+// level.
+inline Vec3 rest_place(const Organ& organ, Vec3 voxel, std::uint32_t level, const OrganVertex& v) {
   constexpr float kScale = 1.0F / 65535.0F;
   const Vec3 inside = {static_cast<float>(v.fx) * kScale, static_cast<float>(v.fy) * kScale,
                        static_cast<float>(v.fz) * kScale};
-  return organ.origin_m + organ.voxel_edge_m * (voxel + inside);
+  return organ.origin_m + (organ.voxel_edge_m * edge_ratio(level)) * (voxel + inside);
 }
 
 // Crossing of a line with a triangle: distance `t` along the unit direction (any sign), barycentric

@@ -27,7 +27,8 @@ struct PlaneTiles {
 
 struct Plane {
   std::uint32_t row_begin;                       // the next plane's row_begin is the end
-  std::uint32_t z;                               // in space, of the particles at the low side
+  std::uint32_t z;                               // in the lattice, of the particles at the low side
+  std::uint32_t level, z_in_level;               // in space, in edges of its level
   std::uint32_t slot_begin, slot_end;            // multiples of kLanes
   std::uint32_t particle_begin, particle_end;    // of the particles at the plane's low side
   std::uint32_t window_begin[2], window_end[2];  // of 8 and of 16 lanes
@@ -38,6 +39,21 @@ struct Plane {
 // Two nodes that are one particle, in different sheets of the lattice.
 struct TiedNode {
   std::uint32_t node, representative;  // particles; the second is the one that moves
+};
+
+// A node on the surface of a coarser voxel. It moves as that voxel's corners around it do, its
+// masters: with their weights, which add up to 1. Less than four masters: the others' weights are
+// 0.
+struct HangingNode {
+  std::uint32_t node, master[4];
+  float weight[4];
+};
+// What a hanging node gives to one of its masters of all that it has got: the weight, times the
+// master's mobility over the node's own.
+struct HangingShare {
+  std::uint32_t to, from;
+  float share;
+  std::uint32_t count;  // of the shares from here on that go to this master from one level's nodes
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows

@@ -16,7 +16,9 @@
 #include "laws/fracture.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
+#include "organ/levels.h"
 #include "organ/runs.h"
+#include "state/derived.h"
 #include "state/lattice_plan.h"
 #include "state/members.h"
 #include "state/needle_state.h"
@@ -40,14 +42,16 @@ struct Counts {
   std::uint32_t particles_per_plane;          // of the fullest plane, padded
   std::uint32_t windows[2];                   // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;                 // 1 and 0 without parts that share a cell
+  std::uint32_t levels;                       // of voxels; 1: all have one edge
+  std::uint32_t hanging, hanging_shares;      // nodes; what they give to masters (2.9)
   std::uint32_t stiffening_slots;             // zero if no tissue stiffens
   std::uint32_t needles;                      // of the configuration
   std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
   std::uint32_t fluids;                       // needles, or zero if the hubs of all are closed
   // Parts that slide on each other: points and grounds; particles, and 1; zero if there are none.
   std::uint32_t slide_points, grounds, slid_particles, slides;
-  // Zero without true mass: particles, slots and ties; tiles (lattice/tiles.h); floats of a plane
-  // of tiles, and of a filter's scratch.
+  // Zero where a particle moves at once, with added mass and one level: particles, slots and ties;
+  // tiles (lattice/tiles.h); floats of a plane of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
   std::uint32_t tiles, tile_floats;
   std::uint64_t filter_floats;
@@ -58,39 +62,14 @@ struct Counts {
 constexpr std::uint32_t kChunk = 144;
 static_assert(kChunk % kLanes == 0);
 
-// What the tick needs to know of a material; derived once.
-struct MaterialModel {
-  float shear_pa, poisson_ratio;  // without its thin skin
-  float skin_shear_n_per_m;       // of the skin: modulus times thickness
-  // Of a voxel, with the skin spread over it: shear modulus, and lambda over twice that modulus.
-  float lattice_shear_pa, lattice_volume_ratio;
-  float stiffening;
-  float puncture_exponent;
-  float relaxing_fraction, relaxation_time_s;
-  float real_kg, stepped_kg;
-};
-
-// Where the paper's rules differ from the physical model (PHYSICS 16). Filled once from
-// Config::mode: functions ask for the rule, not for the mode.
-struct Rules {
-  bool one_support;       // one voxel holds a CP; else the eight around it, and those of two layers
-  bool voxel_springs;     // a CP's spring is its voxel's; else what the lattice leaves to it
-  bool relaxes;           // a CP's force relaxes, and its spring has a compliance along the needle
-  bool contact_law;       // contact follows the law of cone and film; else a CP's spring
-  bool unit_punctures;    // a surface breaks once a needle unit is inside; else at its force
-  bool layer_punctures;   // layers inside must be punctured, too
-  bool unit_slips;        // a CP moves by whole needle units; else exactly back to its limit
-  bool slips_again;       // CPs slip once more after the tissue's step
-  bool planes_in_voxels;  // a voxel where two tissues meet knows the plane between them
-};
-
 struct ModelHead {
   Organ organ;                       // a copy: only the file's bytes are the caller's
   std::byte* team;                   // see set_team; here, so that all copies of a Kernel know it
   Config config;                     // as create took it
   Counts counts;                     // of all arrays
   std::uint64_t organ_hash;          // of the file
-  float edge_m, inverse_edge_per_m;  // of a voxel
+  float edge_m, inverse_edge_per_m;  // of level 0
+  Level level[kMaxLevels];           // coarsest first
   Vec3 origin_m;                     // low corner of the lattice, in the rest frame
   std::uint16_t size_x, size_y, size_z, sheet_rows;  // in voxels; lines y of all sheets, of one
   Rules rules;                                       // of Config::mode
@@ -153,6 +132,15 @@ struct ScratchHead {
   F(piece, Piece, c.tiles)                                                               \
   /* tied_place: tied nodes by their places in tiles */                                  \
   F(tied_place, TiedNode, c.filtered_ties)                                               \
+  /* hanging: nodes on the surface of coarser voxels (lattice/hanging.h) */              \
+  F(hanging, HangingNode, c.hanging)                                                     \
+  /* hanging_share: what they give to each master */                                     \
+  F(hanging_share, HangingShare, c.hanging_shares)                                       \
+  /* hanging_mobility: s/kg: theirs in the passes */                                     \
+  F(hanging_mobility, float, c.hanging)                                                  \
+  /* hanging_place: nodes and shares by places in the tiles of all planes */             \
+  F(hanging_place, HangingNode, c.hanging)                                               \
+  F(hanging_place_share, HangingShare, c.hanging_shares)                                 \
   /* row_of: first row of a place (y, z), to find the row of a voxel */                  \
   F(row_of, std::uint32_t, c.row_grid)                                                   \
   /* voxel_slot: slot of each of the organ file's voxels */                              \
@@ -371,6 +359,10 @@ inline bool has_membranes(const Model& model) {
 inline bool has_slides(const Model& model) {
   return model.head->counts.slides != 0;
 }
+inline bool is_graded(const Model& model) {
+  return model.head->counts.levels > 1;
+}
+// Or several levels, where masters move once all have given them what they got.
 inline bool has_true_mass(const Model& model) {
   return model.head->counts.filtered_particles != 0;
 }

@@ -30,7 +30,8 @@ struct MatchGroup {
   std::uint32_t first_member[kLanes], member_count[kLanes];
   std::uint32_t slot[kLanes];
   float cell[3][kLanes];  // centre at rest, in edges from the lattice's origin
-  float k[kLanes];        // stiffness of a corner
+  float edge_m[kLanes], inverse_edge_per_m[kLanes];
+  float k[kLanes];  // stiffness of a corner
 };
 static_assert(kMaxCoupledVoxels % kLanes == 0);
 struct Member {                     // in a coupled voxel: a particle's support

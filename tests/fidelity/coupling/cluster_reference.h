@@ -206,7 +206,7 @@ class ClusterReference {
       // those of a single tissue.
       const MaterialModel& of = head.material[view.model.slot_material[s.slot]];
       const double w =
-          static_cast<double>(s.weight) / std::sqrt(static_cast<double>(of.lattice_shear_pa));
+          static_cast<double>(s.weight) / std::sqrt(static_cast<double>(of.lattice[0].shear_pa));
       all += w;
       squares += w * w;
       // The needle of the tests goes along x.
@@ -217,7 +217,7 @@ class ClusterReference {
     }
     squares /= all * all;
     beside /= all * all;
-    const double unit = static_cast<double>(m.lattice_shear_pa * head.edge_m);
+    const double unit = static_cast<double>(m.lattice[0].shear_pa * head.edge_m);
     const double edge = static_cast<double>(head.edge_m);
     const double radius = static_cast<double>(head.config.needle[0].outer_radius_m);
     const double own = static_cast<double>(tip.full_stiffness_n_per_m);

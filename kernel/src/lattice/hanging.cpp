@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lattice/hanging.h"
+
+#include <algorithm>
+
+#include "lattice/tiles.h"
+#include "lattice/voxel.h"
+
+namespace stylet {
+namespace {
+
+constexpr std::uint32_t kMasters = 4;
+// The force that a hanging node can pass on in a substep is what its bound on stiffness gives at so
+// many edges. Tissue that is torn farther loses momentum there.
+constexpr float kFarthest = 16;
+
+// One particle has one number in all its nodes.
+std::uint32_t particle_of(const Model& model, std::uint32_t node) {
+  return model.head->counts.sheets > 1 ? model.representative[node] : node;
+}
+
+// Where in its voxel a node lies, 0 to 1 along each axis.
+Vec3 place_in_voxel(const Organ& organ, const OrganHanging& h) {
+  const std::uint32_t planes = organ.level_planes;
+  const std::uint32_t own = level_of(planes, h.z), other = level_of(planes, h.voxel_z);
+  const std::uint32_t ratio = 1U << (own - other);
+  const auto part = [&](std::uint32_t node, std::uint32_t voxel) {
+    return static_cast<float>(node - voxel * ratio) / static_cast<float>(ratio);
+  };
+  return {part(h.x, h.voxel_x), part(line_in_space(organ, h.y), line_in_space(organ, h.voxel_y)),
+          part(h.z - first_plane(planes, own), h.voxel_z - first_plane(planes, other))};
+}
+
+// Calls visit(corner, weight) for the corners of the voxel that move a place in it.
+template <typename Visit>
+void each_master(Vec3 place, Visit visit) {
+  const float f[3] = {place.x, place.y, place.z};
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    float weight = 1;
+    for (std::uint32_t a = 0; a < 3; ++a) weight *= ((corner >> a) & 1U) != 0 ? f[a] : 1 - f[a];
+    if (weight > 0) visit(corner, weight);
+  }
+}
+
+HangingNode hanging_node(const Organ& organ, const Model& model, const OrganHanging& h) {
+  const Row& row = model.row[row_at(model, h.voxel_x, h.voxel_y, h.voxel_z)];
+  HangingNode out = {};
+  out.node = node_at(model, h.x, h.y, h.z);
+  std::uint32_t count = 0;
+  each_master(place_in_voxel(organ, h), [&](std::uint32_t corner, float weight) {
+    const std::uint32_t node = row.node[corner >> 1U] + h.voxel_x - row.x0 + (corner & 1U);
+    out.master[count] = particle_of(model, node);
+    out.weight[count++] = weight;
+  });
+  for (; count < kMasters; ++count) out.master[count] = out.master[0];
+  return out;
+}
+
+// After masters that are several nodes have got something.
+void copy_tied(const Model& model, float* values) {
+  for (std::uint32_t i = 0; i < model.head->counts.ties; ++i) {
+    values[model.tie[i].node] = values[model.tie[i].representative];
+  }
+}
+
+// The level of a particle; particles of a finer one have larger numbers.
+std::uint32_t level_of_particle(const Model& model, std::uint32_t particle) {
+  const Plane* const end = model.plane + (model.head->counts.planes + 1);
+  const auto before = [](std::uint32_t at, const Plane& plane) {
+    return at < plane.particle_begin;
+  };
+  return std::upper_bound(&model.plane[0], end, particle, before)[-1].level;
+}
+
+// Shares with the present mobilities: those of the finest nodes first, by master.
+void list_shares(const Model& model, HangingShare* shares) {
+  HangingShare* end = shares;
+  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+    const HangingNode& h = model.hanging[i];
+    const std::uint32_t level = level_of_particle(model, h.node);
+    for (std::uint32_t m = 0; m < kMasters; ++m) {
+      if (!(h.weight[m] > 0)) continue;
+      const float own = model.step_per_mass[h.node], other = model.step_per_mass[h.master[m]];
+      *end++ = {h.master[m], h.node, h.weight[m] * other / own, level};
+    }
+  }
+  std::sort(shares, end, [](const HangingShare& a, const HangingShare& b) {
+    if (a.count != b.count) return a.count > b.count;  // still the level
+    return a.to != b.to ? a.to < b.to : a.from < b.from;
+  });
+  for (HangingShare* first = shares; first != end;) {
+    HangingShare* next = first;
+    for (; next != end && next->to == first->to && next->count == first->count; ++next) {
+    }
+    first->count = static_cast<std::uint32_t>(next - first);
+    first = next;
+  }
+}
+
+}  // namespace
+
+void count_hanging(const Organ& organ, Counts& counts_io) {
+  counts_io.hanging = static_cast<std::uint32_t>(organ.hanging.size());
+  counts_io.hanging_shares = 0;
+  for (const OrganHanging& h : organ.hanging) {
+    each_master(place_in_voxel(organ, h), [&](auto...) { ++counts_io.hanging_shares; });
+  }
+}
+
+void fill_hanging(const Organ& organ, Model& model) {
+  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+    model.hanging[i] = hanging_node(organ, model, organ.hanging[i]);
+  }
+}
+
+void add_to_masters(const Model& model, float* of_particles) {
+  for (std::uint32_t i = model.head->counts.hanging; i-- > 0;) {
+    const HangingNode& h = model.hanging[i];
+    for (std::uint32_t m = 0; m < kMasters; ++m) {
+      of_particles[h.master[m]] += h.weight[m] * of_particles[h.node];
+    }
+  }
+  copy_tied(model, of_particles);
+}
+
+bool hangs(const Model& model, std::uint32_t particle) {
+  const HangingNode* const first = model.hanging;
+  const HangingNode* const end = first + model.head->counts.hanging;
+  const auto before = [](const HangingNode& h, std::uint32_t node) { return h.node < node; };
+  const HangingNode* const at = std::lower_bound(first, end, particle, before);
+  return at != end && at->node == particle;
+}
+
+void fill_shares(Model& model) {
+  const Counts& counts = model.head->counts;
+  list_shares(model, model.hanging_place_share);
+  for (std::uint32_t i = 0; i < counts.hanging_shares; ++i) {
+    HangingShare& share = model.hanging_place_share[i];
+    share.to = place_in_tiles(model, share.to);
+    share.from = place_in_tiles(model, share.from);
+  }
+  for (std::uint32_t i = 0; i < counts.hanging; ++i) {
+    const HangingNode& h = model.hanging[i];
+    HangingNode& there = model.hanging_place[i] = h;
+    there.node = place_in_tiles(model, h.node);
+    for (std::uint32_t& master : there.master) master = place_in_tiles(model, master);
+    float& mobility = model.step_per_mass[h.node];
+    model.hanging_mobility[i] = mobility;
+    mobility = 1 / (kFarthest * model.head->substep_s * model.bound[h.node]);
+    model.particle_kg[h.node] = 0;  // its masters have it
+  }
+  list_shares(model, model.hanging_share);
+}
+
+void give_momentum(const Model& model, State& state, float most) {
+  const Counts& counts = model.head->counts;
+  for (float* const w : {&state.wx[0], &state.wy[0], &state.wz[0]}) {
+    const HangingShare* share = model.hanging_share;
+    const HangingShare* const end = share + counts.hanging_shares;
+    while (share != end) {
+      const HangingShare* const next = share + share->count;
+      float& to = w[share->to];
+      float sum = to;
+      for (; share != next; ++share) sum += share->share * w[share->from];
+      to = clamp(sum, -most, most);
+    }
+    for (std::uint32_t i = 0; i < counts.hanging; ++i) w[model.hanging[i].node] = 0;
+    copy_tied(model, w);
+  }
+}
+
+void follow(const Model& model, float* values, std::ptrdiff_t axis) {
+  for (std::uint32_t c = 0; c < 3; ++c, values += axis) {
+    for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+      const HangingNode& h = model.hanging[i];
+      values[h.node] = (h.weight[0] * values[h.master[0]] + h.weight[1] * values[h.master[1]]) +
+                       (h.weight[2] * values[h.master[2]] + h.weight[3] * values[h.master[3]]);
+    }
+  }
+}
+
+void bound_in_tiles(const Model& model, const float* held, float* bounds) {
+  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+    const std::uint32_t node = model.hanging[i].node, place = model.hanging_place[i].node;
+    const float mobility = model.hanging_mobility[i];
+    bounds[place] = mobility * (model.bound[node] + held[node]);
+    bounds[place + kTile] = mobility;
+  }
+}
+
+void give_in_tiles(const Model& model, const FilterPass& pass, const Iterated& by, float* next) {
+  const Counts& counts = model.head->counts;
+  for (std::uint32_t i = 0; i < counts.hanging; ++i) {
+    for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
+      const std::uint32_t at = model.hanging_place[i].node + c;
+      next[at] -=
+          pass.last * by.last[at] + (pass.first * by.first[at] + pass.before * by.before[at]);
+    }
+  }
+  const HangingShare* share = model.hanging_place_share;
+  const HangingShare* const end = share + counts.hanging_shares;
+  while (share != end) {
+    const HangingShare* const behind = share + share->count;
+    float* const to = next + share->to;
+    float x = to[0], y = to[kTile], z = to[2 * kTile];
+    for (; share != behind; ++share) {
+      const float* const from = next + share->from;
+      x += share->share * from[0];
+      y += share->share * from[kTile];
+      z += share->share * from[2 * kTile];
+    }
+    to[0] = x;
+    to[kTile] = y;
+    to[2 * kTile] = z;
+  }
+  for (std::uint32_t z = 0; z <= model.head->counts.planes; ++z) {  // as copy_tied
+    const Plane& plane = model.plane[z];
+    float* const own = next + std::size_t{plane.tiles.node} * kTileFloats;
+    for (std::uint32_t i = plane.tie_begin; i < plane.tie_end; ++i) {
+      for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
+        own[model.tied_place[i].node + c] = own[model.tied_place[i].representative + c];
+      }
+    }
+  }
+}
+
+void follow_in_tiles(const Model& model, float* values) {
+  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
+    const HangingNode& h = model.hanging_place[i];
+    for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
+      const auto of = [&](std::uint32_t m) { return h.weight[m] * values[h.master[m] + c]; };
+      values[h.node + c] = (of(0) + of(1)) + (of(2) + of(3));
+    }
+  }
+}
+
+}  // namespace stylet

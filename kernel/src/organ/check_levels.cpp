@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "organ/check_levels.h"
+
+#include <algorithm>
+
+#include "organ/levels.h"
+#include "organ/runs.h"
+#include "stylet/limits.h"
+
+namespace stylet {
+namespace {
+
+bool check_header(Checker& check, const Organ& organ) {
+  return check.require(organ.format_version >= 5, Status::kOrganVersionUnknown, "levels", 0,
+                       organ.format_version, "format version 5 where there are levels") &&
+         check.require(organ.levels >= 2 && organ.levels <= kMaxLevels,
+                       Status::kOrganValueOutOfRange, "levels.count", 0, organ.levels, "2 to 4") &&
+         check.require(organ.level_planes > 0 &&
+                           organ.size_z == first_plane(organ.level_planes, organ.levels) - 1,
+                       Status::kOrganSizesDisagree, "levels.planes", 0, organ.level_planes,
+                       "planes of level 0: size_z is count - 1 + planes (2^count - 1)") &&
+         check.require(organ.membrane_cells.empty() && organ.slide_points.empty(),
+                       Status::kOrganSizesDisagree, "levels", 0, organ.levels,
+                       "neither membranes nor slides where there are levels");
+}
+
+// Each level's runs are within its own planes and within the space of all.
+bool check_planes(Checker& check, const Organ& organ) {
+  for (std::size_t i = 0; i < organ.runs.size(); ++i) {
+    const OrganRun& run = organ.runs[i];
+    const std::uint32_t level = level_of(organ.level_planes, run.z);
+    const std::uint32_t finer = organ.levels - 1U - level;
+    const std::uint32_t end_x = (std::uint32_t{run.x} + run.count) << finer;
+    const std::uint32_t end_y = (run.y % organ.sheet_rows + 1U) << finer;
+    if (!check.require(run.z + 1U < first_plane(organ.level_planes, level + 1),
+                       Status::kOrganIndexOutOfRange, "runs", i, run.z,
+                       "the plane between two levels empty") ||
+        !check.require(end_x <= organ.size_x && end_y <= organ.sheet_rows,
+                       Status::kOrganIndexOutOfRange, "runs", i, end_x,
+                       "a run inside the space of the finest level")) {
+      return false;
+    }
+  }
+  return true;
+}
+
+constexpr std::uint64_t order_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  return (std::uint64_t{z} << 32U) | (std::uint64_t{y} << 16U) | x;
+}
+
+bool is_tied(const Organ& organ, const OrganHanging& h) {
+  const auto before = [](const OrganTie& tie, std::uint64_t place) {
+    return order_of(tie.x, tie.y, tie.z) < place;
+  };
+  const std::uint64_t place = order_of(h.x, h.y, h.z);
+  const auto at = std::lower_bound(organ.ties.begin(), organ.ties.end(), place, before);
+  return at != organ.ties.end() && order_of(at->x, at->y, at->z) == place;
+}
+
+bool hangs(const Organ& organ, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  const auto before = [](const OrganHanging& h, std::uint64_t place) {
+    return order_of(h.x, h.y, h.z) < place;
+  };
+  const std::uint64_t place = order_of(x, y, z);
+  const auto at = std::lower_bound(organ.hanging.begin(), organ.hanging.end(), place, before);
+  return at != organ.hanging.end() && order_of(at->x, at->y, at->z) == place;
+}
+
+// The node lies in the voxel, all of it closed, and on its surface.
+bool is_on_surface(const Organ& organ, const OrganHanging& h) {
+  const std::uint32_t planes = organ.level_planes;
+  const std::uint32_t own = level_of(planes, h.z), other = level_of(planes, h.voxel_z);
+  if (own <= other) return false;
+  const std::uint32_t ratio = 1U << (own - other);
+  const std::uint32_t node[3] = {h.x, line_in_space(organ, h.y), h.z - first_plane(planes, own)};
+  const std::uint32_t voxel[3] = {h.voxel_x, line_in_space(organ, h.voxel_y),
+                                  h.voxel_z - first_plane(planes, other)};
+  bool on_face = false;
+  for (std::uint32_t a = 0; a < 3; ++a) {
+    const std::uint32_t low = voxel[a] * ratio;
+    if (node[a] < low || node[a] > low + ratio) return false;
+    on_face = on_face || node[a] == low || node[a] == low + ratio;
+  }
+  return on_face;
+}
+
+bool check_hanging(Checker& check, const Organ& organ) {
+  for (std::size_t i = 0; i < organ.hanging.size(); ++i) {
+    const OrganHanging& h = organ.hanging[i];
+    const std::uint64_t place = order_of(h.x, h.y, h.z);
+    const OrganHanging& last = organ.hanging[i > 0 ? i - 1 : 0];
+    if (!check.require(i == 0 || place > order_of(last.x, last.y, last.z), Status::kOrganOrderWrong,
+                       "levels.hanging", i, h.x, "nodes sorted by z, y, x, each once") ||
+        !check.require(has_node(organ, h.x, h.y, h.z) &&
+                           has_voxel(organ, {h.voxel_x, h.voxel_x + 1U}, h.voxel_y, h.voxel_z),
+                       Status::kOrganIndexOutOfRange, "levels.hanging", i, h.x,
+                       "a node and a voxel of the lattice") ||
+        !check.require(is_on_surface(organ, h), Status::kOrganIndexOutOfRange, "levels.hanging", i,
+                       h.x, "a node on the surface of a voxel of a coarser level") ||
+        !check.require(!is_tied(organ, h), Status::kOrganOrderWrong, "levels.hanging", i, h.x,
+                       "a node that is not tied")) {
+      return false;
+    }
+  }
+  // Nodes that are tied to it would not move with it.
+  for (std::size_t i = 0; i < organ.ties.size(); ++i) {
+    const OrganTie& tie = organ.ties[i];
+    if (!check.require(!hangs(organ, tie.x, tie.to_y, tie.z), Status::kOrganOrderWrong,
+                       "sheets.ties", i, tie.to_y, "a node that does not hang")) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool check_levels(Checker& check, const Organ& organ) {
+  return check_header(check, organ) && check_planes(check, organ) && check_hanging(check, organ);
+}
+
+}  // namespace stylet
