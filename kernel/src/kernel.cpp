@@ -12,6 +12,7 @@
 #include "coupling/bend.h"
 #include "coupling/return_map.h"
 #include "coupling/slides.h"
+#include "lattice/ghosts.h"
 #include "lattice/hanging.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
@@ -260,25 +261,38 @@ void fill_mixed(const Organ& organ, Model& model) {
   }
 }
 
-std::uint32_t most_passes(const Counts& counts) {
-  return counts.levels > 1 ? kMaxGradedPasses : kMaxFilterPasses;
-}
-
 // The passes of the filter. On entry step_per_mass has the bounds on stiffness (filter.h), with all
 // that constraint particles may add.
 void fill_filter(Model& model, const Counts& counts, float limit) {
   ModelHead& head = *model.head;
-  const float most = most_filtered_per_s2(limit, most_passes(counts));
+  const float most = most_filtered_per_s2(limit);
   float fastest = 0;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     const float kg = max_of(model.particle_kg[i], model.step_per_mass[i] / most);
     if (kg > 0) fastest = max_of(fastest, model.step_per_mass[i] / kg);
   }
-  head.filter = choose_filter(limit, fastest, most_passes(counts));
-  for (std::uint32_t i = 0; i < counts.slots; ++i) {
-    // Per corner: the mean is over eight.
-    model.slot_bound[i] = 0.125F * corner_bound(model, i);
+  head.filter = choose_filter(limit, fastest);
+}
+
+// On a graded lattice with true mass no level but the coarsest needs more than its real mass: what
+// counts there are the bounds of its own voxels. Returns whether some motion is faster than the
+// step can follow.
+bool bound_coarse(Model& model, const Counts& counts, float limit) {
+  bool faster = false;
+  for (std::uint32_t i = 0; i < counts.particles; ++i) {
+    faster = faster || model.step_per_mass[i] > limit * model.particle_kg[i];
   }
+  if (!faster) return false;
+  for (std::uint32_t z = 0; z <= counts.planes; ++z) {
+    const Plane& plane = model.plane[z];
+    for (std::uint32_t i = plane.particle_begin; i < plane.particle_end; ++i) {
+      model.step_per_mass[i] =
+          plane.level > 0
+              ? 0
+              : model.bound[i] + model.hourglass_n_per_m[i] / model.head->hourglass_weight;
+    }
+  }
+  return true;
 }
 
 // Attached particles do not move.
@@ -317,9 +331,15 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   }
   add_to_masters(model, model.step_per_mass);
   add_to_masters(model, model.particle_kg);
-  const bool filtered = head.config.inertia == Inertia::kTrueMass;
-  if (filtered) fill_filter(model, counts, limit);
-  const float most = filtered ? most_filtered_per_s2(limit, most_passes(counts)) : limit;
+  for (std::uint32_t i = 0; counts.filtered_slots > 0 && i < counts.slots; ++i) {
+    // Per corner: the mean is over eight.
+    model.slot_bound[i] = 0.125F * corner_bound(model, i);
+  }
+  const bool filtered = head.config.inertia == Inertia::kTrueMass, graded = counts.levels > 1;
+  const bool cascade = filtered && graded && bound_coarse(model, counts, limit);
+  if (filtered && !graded) fill_filter(model, counts, limit);
+  const float of_passes = cascade ? coarse_limit_per_s2(limit, counts.levels) : limit;
+  const float most = filtered ? most_filtered_per_s2(of_passes) : limit;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     const float least_kg = model.step_per_mass[i] / most;
     const float real_kg = model.particle_kg[i];
@@ -348,6 +368,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   }
   hold_attached(organ, model, counts);
   fill_shares(model);
+  if (cascade) fill_ghosts(organ, model, limit);
 }
 
 Status count(const Organ& organ, const Config& config, Counts& counts_out) {

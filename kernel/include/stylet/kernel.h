@@ -310,8 +310,7 @@ struct Stats {
 Stats stats(const Kernel& kernel);
 
 // Real mass and mass in the step of the voxels of a material, kg. The difference is the mass that
-// keeps the step stable. With true mass there is none as long as kMaxFilterPasses are enough
-// (kMaxGradedPasses with levels).
+// keeps the step stable. With true mass there is none as long as kMaxFilterPasses are enough.
 struct MassReport {
   float real_kg, stepped_kg;
 };
@@ -319,7 +318,7 @@ MassReport mass_report(const Kernel& kernel, std::uint32_t material);
 // The instructions that the tissue step uses on this processor: "avx512", "avx2" or "baseline". The
 // bits do not depend on it.
 const char* instruction_set();
-// Passes of the filter in a substep, 0 to kMaxFilterPasses, with levels to kMaxGradedPasses; 0 with
+// Passes of the filter in a substep, 0 to kMaxFilterPasses (with levels: of the coarsest); 0 with
 // added mass.
 std::uint32_t filter_passes(const Kernel& kernel);
 

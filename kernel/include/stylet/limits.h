@@ -64,8 +64,6 @@ constexpr float kMinPeriodS = 1e-5F;
 // them, mass is added where it is needed (mass_report says how much). Each pass costs a quarter to
 // a third of a sweep.
 constexpr std::uint32_t kMaxFilterPasses = 7;
-// The same for an organ with several levels: each halves the edge, which takes twice the passes.
-constexpr std::uint32_t kMaxGradedPasses = 31;
 constexpr float kMaxPeriodS = 1e-2F;
 constexpr float kMaxNeedleLengthM = 0.5F;
 constexpr float kMaxBendingNm2 = 1e3F;   // a steel bar of 15 mm

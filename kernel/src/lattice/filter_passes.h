@@ -19,6 +19,7 @@
 #include <type_traits>
 
 #include "base/lanes.h"
+#include "lattice/ghosts.h"
 #include "lattice/hanging.h"
 #include "lattice/lattice.h"
 #include "lattice/tiles.h"
@@ -89,8 +90,9 @@ struct Wave {
   float* sent(std::uint32_t j, std::uint32_t z) const { return at(j, 3 + z % 2); }
 };
 
-// The same for a graded lattice, whose passes each go through all planes, because nodes of one
-// plane hang on those of another: an array has all planes, each from its first tile of nodes.
+// The same for level 0 of a graded lattice, whose passes each go through all its planes, because
+// they share the border with the ghosts' (lattice/ghosts.h): an array has all planes, each from its
+// first tile of nodes.
 struct GradedWave {
   float *starts, *bounds, *iterates, *sends;
   float *work, *packed;
@@ -118,7 +120,7 @@ Wave wave_in(const Model& model, float* memory) {
 
 GradedWave graded_wave_in(const Model& model, float* memory) {
   const auto floats = static_cast<std::ptrdiff_t>(model.head->counts.tile_floats);
-  const std::ptrdiff_t all = static_cast<std::ptrdiff_t>(model.head->counts.tiles) * kTileFloats;
+  const std::ptrdiff_t all = static_cast<std::ptrdiff_t>(model.head->counts.coarse_tiles) * kTileFloats;
   float* const sends = memory + kGradedArrays * all;
   float* const work = sends + (kGradedPlanes - 1) * floats;
   return {memory, memory + all, memory + 2 * all, sends, work, work + floats,
@@ -425,37 +427,48 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
   }
 }
 
-// ---- graded lattices
-// ------------------------------------------------------------------------------
+// ---- graded lattices ----------------------------------------------------------------------------
 
-// Filters and moves all particles.
-void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
-  const std::uint32_t passes = model.head->filter.passes;
-  const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
-  if (passes == 0) {
-    move_unfiltered(model, state, 0, planes, motion);
-    return;
-  }
-  const GradedWave wave = graded_wave_in(model, scratch.filter);
+// The passes for level 0.
+void pass_coarse(const Model& model, const State& state, const Scratch& scratch,
+                 const GradedWave& wave, CascadeVectors& vectors) {
+  const std::uint32_t planes = model.head->ghosts.coarse_planes;
   const auto empty = [](float* tile) { std::fill_n(tile, kTileFloats, 0.0F); };
   for (std::uint32_t i = 0; i < kGradedPlanes; ++i) empty(wave.sends + i * wave.floats);
   for (std::uint32_t z = 0; z < planes; ++z) {
     for (std::uint32_t i = 0; i < kGradedArrays; ++i) empty(wave.start(z) + i * wave.all);
     start_plane(model, state, scratch, z, wave.start(z), wave.bound(z));
   }
-  bound_in_tiles(model, scratch.coupling_bound, wave.bounds);
-  follow_in_tiles(model, wave.starts);
-  for (std::uint32_t j = 1; j <= passes; ++j) {
+  start_ghosts(model, vectors, wave.starts, wave.bounds);
+  for (std::uint32_t j = 1; j <= model.head->filter.passes; ++j) {
     for (std::uint32_t z = 0; z < planes; ++z) {
       pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
     }
-    const FilterPass& pass = model.head->filter.pass[j - 1];
-    give_in_tiles(model, pass, {wave.starts, wave.of_pass(j - 1), wave.of_pass(j)},
-                  wave.of_pass(j + 1));
-    follow_in_tiles(model, wave.of_pass(j + 1));
+    pass_ghosts(model, vectors, j, wave.of_pass(j + 1));
   }
-  for (std::uint32_t z = 0; z < planes; ++z) {
-    move_filtered(model, state, wave.iterate(passes + 1, z), wave.packed, z, motion);
+}
+
+// Filters and moves all particles.
+void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
+  const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
+  const Ghosts& ghosts = model.head->ghosts;
+  if (ghosts.on == 0) {
+    move_unfiltered(model, state, 0, planes, motion);
+    return;
+  }
+  const GradedWave wave = graded_wave_in(model, scratch.filter);
+  const auto axis = static_cast<std::ptrdiff_t>(model.head->counts.particles_per_plane);
+  CascadeVectors vectors = cascade_vectors(model, wave.packed + 3 * axis);
+  give_down(model, state, scratch, vectors.all);
+  pass_coarse(model, state, scratch, wave, vectors);
+  give_up(model, vectors);
+  for (std::uint32_t z = 0; z < ghosts.coarse_planes; ++z) {
+    move_filtered(model, state, wave.iterate(model.head->filter.passes + 1, z), wave.packed, z,
+                  motion);
+  }
+  for (std::uint32_t z = ghosts.coarse_planes; z < planes; ++z) {
+    pack_fine(model, model.plane[z], vectors.all, wave.packed, axis);
+    move_plane(model.plane[z], state, wave.packed, axis, motion);
   }
 }
 

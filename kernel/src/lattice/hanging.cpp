@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "lattice/tiles.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
@@ -123,31 +122,20 @@ void add_to_masters(const Model& model, float* of_particles) {
   copy_tied(model, of_particles);
 }
 
-bool hangs(const Model& model, std::uint32_t particle) {
+const HangingNode* hanging_at(const Model& model, std::uint32_t particle) {
   const HangingNode* const first = model.hanging;
   const HangingNode* const end = first + model.head->counts.hanging;
   const auto before = [](const HangingNode& h, std::uint32_t node) { return h.node < node; };
   const HangingNode* const at = std::lower_bound(first, end, particle, before);
-  return at != end && at->node == particle;
+  return at != end && at->node == particle ? at : nullptr;
 }
 
 void fill_shares(Model& model) {
   const Counts& counts = model.head->counts;
-  list_shares(model, model.hanging_place_share);
-  for (std::uint32_t i = 0; i < counts.hanging_shares; ++i) {
-    HangingShare& share = model.hanging_place_share[i];
-    share.to = place_in_tiles(model, share.to);
-    share.from = place_in_tiles(model, share.from);
-  }
   for (std::uint32_t i = 0; i < counts.hanging; ++i) {
-    const HangingNode& h = model.hanging[i];
-    HangingNode& there = model.hanging_place[i] = h;
-    there.node = place_in_tiles(model, h.node);
-    for (std::uint32_t& master : there.master) master = place_in_tiles(model, master);
-    float& mobility = model.step_per_mass[h.node];
-    model.hanging_mobility[i] = mobility;
-    mobility = 1 / (kFarthest * model.head->substep_s * model.bound[h.node]);
-    model.particle_kg[h.node] = 0;  // its masters have it
+    const std::uint32_t node = model.hanging[i].node;
+    model.step_per_mass[node] = 1 / (kFarthest * model.head->substep_s * model.bound[node]);
+    model.particle_kg[node] = 0;  // its masters have it
   }
   list_shares(model, model.hanging_share);
 }
@@ -175,61 +163,6 @@ void follow(const Model& model, float* values, std::ptrdiff_t axis) {
       const HangingNode& h = model.hanging[i];
       values[h.node] = (h.weight[0] * values[h.master[0]] + h.weight[1] * values[h.master[1]]) +
                        (h.weight[2] * values[h.master[2]] + h.weight[3] * values[h.master[3]]);
-    }
-  }
-}
-
-void bound_in_tiles(const Model& model, const float* held, float* bounds) {
-  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
-    const std::uint32_t node = model.hanging[i].node, place = model.hanging_place[i].node;
-    const float mobility = model.hanging_mobility[i];
-    bounds[place] = mobility * (model.bound[node] + held[node]);
-    bounds[place + kTile] = mobility;
-  }
-}
-
-void give_in_tiles(const Model& model, const FilterPass& pass, const Iterated& by, float* next) {
-  const Counts& counts = model.head->counts;
-  for (std::uint32_t i = 0; i < counts.hanging; ++i) {
-    for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
-      const std::uint32_t at = model.hanging_place[i].node + c;
-      next[at] -=
-          pass.last * by.last[at] + (pass.first * by.first[at] + pass.before * by.before[at]);
-    }
-  }
-  const HangingShare* share = model.hanging_place_share;
-  const HangingShare* const end = share + counts.hanging_shares;
-  while (share != end) {
-    const HangingShare* const behind = share + share->count;
-    float* const to = next + share->to;
-    float x = to[0], y = to[kTile], z = to[2 * kTile];
-    for (; share != behind; ++share) {
-      const float* const from = next + share->from;
-      x += share->share * from[0];
-      y += share->share * from[kTile];
-      z += share->share * from[2 * kTile];
-    }
-    to[0] = x;
-    to[kTile] = y;
-    to[2 * kTile] = z;
-  }
-  for (std::uint32_t z = 0; z <= model.head->counts.planes; ++z) {  // as copy_tied
-    const Plane& plane = model.plane[z];
-    float* const own = next + std::size_t{plane.tiles.node} * kTileFloats;
-    for (std::uint32_t i = plane.tie_begin; i < plane.tie_end; ++i) {
-      for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
-        own[model.tied_place[i].node + c] = own[model.tied_place[i].representative + c];
-      }
-    }
-  }
-}
-
-void follow_in_tiles(const Model& model, float* values) {
-  for (std::uint32_t i = 0; i < model.head->counts.hanging; ++i) {
-    const HangingNode& h = model.hanging_place[i];
-    for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
-      const auto of = [&](std::uint32_t m) { return h.weight[m] * values[h.master[m] + c]; };
-      values[h.node + c] = (of(0) + of(1)) + (of(2) + of(3));
     }
   }
 }

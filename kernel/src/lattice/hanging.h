@@ -8,13 +8,12 @@
 // level. So what nodes give goes from fine to coarse, and how they follow from coarse to fine; the
 // list has the coarse ones first.
 //
-// A hanging node has a mobility (step over mass) like every particle, so the sweep and the passes
-// treat it like one; what it gets so passes on to its masters, scaled by the mobilities. Which one
-// it has does not matter but for rounding. In the sweep it is so small that its momentum is not
-// bounded (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard. In the passes
-// it is that of the node's own mass.
+// A hanging node has a mobility (step over mass) like every particle, so the sweep treats it like
+// one; what it gets so passes on to its masters, scaled by the mobilities. Which one it has does not
+// matter but for rounding. It is so small that the node's momentum is not bounded
+// (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard.
 //
-// Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 2.8.
+// Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 2.9.
 #pragma once
 
 #include "state/layout.h"
@@ -26,10 +25,13 @@ void count_hanging(const Organ& organ, Counts& counts_io);
 void fill_hanging(const Organ& organ, Model& model);
 // Adds what belongs to hanging nodes (mass, bounds on stiffness) to that of their masters.
 void add_to_masters(const Model& model, float* of_particles);
-// Whether a particle hangs.
-bool hangs(const Model& model, std::uint32_t particle);
-// The nodes' mobilities and shares, and all this by places in tiles; needs the masters' mobilities,
-// with 0 where they are attached, and the nodes' bounds. Afterwards nodes have no mass.
+// The entry of a particle that hangs, or null.
+const HangingNode* hanging_at(const Model& model, std::uint32_t particle);
+inline bool hangs(const Model& model, std::uint32_t particle) {
+  return hanging_at(model, particle) != nullptr;
+}
+// The nodes' mobilities and shares; needs the masters' mobilities, with 0 where they are attached,
+// and the nodes' bounds. Afterwards nodes have no mass.
 void fill_shares(Model& model);
 
 // In a step. Nodes give their momentum over mass to their masters; then it is 0 at the nodes, and
@@ -37,16 +39,5 @@ void fill_shares(Model& model);
 void give_momentum(const Model& model, State& state, float most);
 // Nodes get the values that follow from their masters': x, y, z, `axis` apart.
 void follow(const Model& model, float* values, std::ptrdiff_t axis);
-
-// In the passes (filter_passes.h), in arrays of all planes' tiles. The bounds at the nodes; `held`:
-// as Scratch::coupling_bound.
-void bound_in_tiles(const Model& model, const float* held, float* bounds);
-// What nodes got in a pass they give to their masters: their own next iterate less the parts of w,
-// of the iterate before and of the last one. Then they follow.
-struct Iterated {
-  const float *first, *before, *last;
-};
-void give_in_tiles(const Model& model, const FilterPass& pass, const Iterated& by, float* next);
-void follow_in_tiles(const Model& model, float* values);
 
 }  // namespace stylet

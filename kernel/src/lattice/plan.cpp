@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "lattice/ghosts.h"
 #include "lattice/hanging.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
@@ -87,6 +88,7 @@ void for_each_window(Runs before, Runs behind, std::uint32_t width, Visit visit)
 struct Totals {
   std::uint64_t rows, slots, particles, windows[2];
   std::uint64_t slots_of_line, particles_of_plane;  // at most
+  std::uint64_t coarse_particles;                   // of level 0
 };
 
 void count_voxels(Runs plane, Totals& totals) {
@@ -260,6 +262,7 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   for (Runs plane; planes.next(z, plane); ++c.planes, below = plane) {
     count_voxels(plane, totals);
     count_nodes(plane, below, totals);
+    if (level_of(organ.level_planes, z) == 0) totals.coarse_particles = totals.particles;
   }
   count_nodes({}, below, totals);
   const std::uint64_t most =
@@ -278,6 +281,9 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
   if (config.inertia == Inertia::kTrueMass || c.levels > 1) {
     c.filtered_particles = c.particles;
     c.filtered_slots = c.slots + kLanes;  // pieces are read in whole lanes
+    if (c.levels > 1 && config.inertia == Inertia::kTrueMass) {
+      count_ghosts(organ, c.particles - totals.coarse_particles, c);
+    }
     count_tiles(organ, c);
   }
   count_places(organ, c);

@@ -323,16 +323,14 @@ void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part
   part.high = up ? here : part.kept;
 }
 
-// The more passes, the more of a short wave's momentum goes into no velocity: with the bound of
+// The more a short wave is slowed, the more of its momentum goes into no velocity: with the bound of
 // seven passes, tissue of several levels that was crushed lost so much that it gained energy.
 Motion start_motion(const ModelHead& head) {
-  const std::uint32_t passes = std::max(head.filter.passes, kMaxFilterPasses);
-  const float slower = static_cast<float>(passes + 1) / static_cast<float>(kMaxFilterPasses + 1);
   const float fastest =
       kMaxEdgesPerSubstep * head.level[head.counts.levels - 1].edge_m / head.substep_s;
   return {head.substep_s, head.config.tissue_damping_s,
           1 - head.substep_s * head.config.surround_drag_per_s, fastest,
-          fastest * (slower * slower)};
+          fastest * max_of(head.ghosts.most_slowed, 1)};
 }
 
 // Groups of coupled voxels [begin, end) whose voxels are all in one slab.

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "lattice/ghosts.h"
+#include "organ/levels.h"
+
 namespace stylet {
 namespace {
 
@@ -86,17 +89,17 @@ class Places {
   bool more_;
 };
 
-// Calls visit(plane, runs below, of it and above) for each plane of particles.
+// Calls visit(plane, runs below, of it and above, z) for each plane of particles.
 template <typename Visit>
 void for_each_plane(const Organ& organ, std::uint32_t planes, Visit visit) {
   Planes left(organ);
   Runs below = {}, here = {}, above = {};
-  std::uint32_t z = 0;
+  std::uint32_t z = 0, z_above = 0;
   (void)left.next(z, here);
-  for (std::uint32_t i = 0; i <= planes; ++i, below = here, here = above) {
+  for (std::uint32_t i = 0; i <= planes; ++i, below = here, here = above, z = z_above) {
     above = {};
-    if (i < planes) (void)left.next(z, above);
-    visit(i, below, here, above);
+    if (i < planes) (void)left.next(z_above, above);
+    visit(i, below, here, above, z);
   }
 }
 
@@ -184,25 +187,28 @@ std::uint32_t place_in_tiles(const Model& model, std::uint32_t particle) {
 }
 
 void count_tiles(const Organ& organ, Counts& counts_io) {
-  for_each_plane(organ, counts_io.planes, [&](std::uint32_t i, Runs below, Runs here, Runs) {
-    count_plane<2>({here, below}, counts_io);
-    if (i < counts_io.planes) count_plane<1>({here}, counts_io);
-  });
-  counts_io.tiles += counts_io.planes + 1;  // an empty one behind each plane's
+  for_each_plane(organ, counts_io.planes,
+                 [&](std::uint32_t i, Runs below, Runs here, Runs, std::uint32_t z) {
+                   count_plane<2>({here, below}, counts_io);
+                   if (i < counts_io.planes) count_plane<1>({here}, counts_io);
+                   ++counts_io.tiles;  // an empty one behind each plane's
+                   if (level_of(organ.level_planes, z) == 0) counts_io.coarse_tiles = counts_io.tiles;
+                 });
   counts_io.filtered_ties = counts_io.ties;
   counts_io.tile_floats = (counts_io.tile_floats + kLanes - 1) / kLanes * kLanes;
-  const std::uint64_t all = std::uint64_t{counts_io.tiles} * kTileFloats;
-  const bool graded = counts_io.levels > 1;
+  const std::uint64_t coarse = std::uint64_t{counts_io.coarse_tiles} * kTileFloats;
   counts_io.filter_floats =
-      (graded ? kGradedArrays * all + std::uint64_t{kGradedPlanes} * counts_io.tile_floats
-              : std::uint64_t{kFilterArrays} * counts_io.tile_floats) +
+      (counts_io.levels > 1 ? kGradedArrays * coarse +
+                                  std::uint64_t{kGradedPlanes} * counts_io.tile_floats +
+                                  ghost_floats(counts_io)
+                            : std::uint64_t{kFilterArrays} * counts_io.tile_floats) +
       std::uint64_t{3} * counts_io.particles_per_plane;
 }
 
 void fill_tiles(const Organ& organ, Model& model) {
   const std::uint32_t planes = model.head->counts.planes;
   std::uint32_t next = 0;
-  for_each_plane(organ, planes, [&](std::uint32_t i, Runs below, Runs here, Runs above) {
+  for_each_plane(organ, planes, [&](std::uint32_t i, Runs below, Runs here, Runs above, std::uint32_t) {
     Plane& plane = model.plane[i];
     plane.tiles.node = next;
     fill_nodes(below, here, model, next);

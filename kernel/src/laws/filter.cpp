@@ -15,8 +15,8 @@ constexpr int kHalvings = 30;  // of the way between them: to 1e-9
 // Chebyshev's polynomials of the first kind and their slopes at w0 > 1, for degrees 0 .. n.
 struct Chebyshev {
   double w0;
-  double value[kMaxGradedPasses + 2];
-  double slope[kMaxGradedPasses + 2];
+  double value[kMaxFilterPasses + 2];
+  double slope[kMaxFilterPasses + 2];
 };
 
 Chebyshev chebyshev(std::uint32_t degree, double damping) {
@@ -57,19 +57,19 @@ float wave_limit_per_s2(float step_s, float tau_s) {
   return static_cast<float>(4 / (dt * (dt + 2 * static_cast<double>(tau_s))));
 }
 
-float most_filtered_per_s2(float limit_per_s2, std::uint32_t passes) {
+float most_filtered_per_s2(float limit_per_s2) {
   return static_cast<float>(static_cast<double>(limit_per_s2) /
-                            fraction_left(passes, kLeastDamping));
+                            fraction_left(kMaxFilterPasses, kLeastDamping));
 }
 
 // With x = w0 - (1 + w0) z, z = S / s, and T_n(x) = T_n(w0) - z r_n, the polynomial is r_n over its
 // value at z = 0, (1 + w0) T'_n(w0); and r_(n+1) = 2 x r_n - r_(n-1) + 2 (1 + w0) T_n(w0).
-Filter choose_filter(float limit_per_s2, float fastest_per_s2, std::uint32_t most) {
+Filter choose_filter(float limit_per_s2, float fastest_per_s2) {
   Filter out = {};
   out.limit_per_s2 = limit_per_s2;
   const double fastest = static_cast<double>(fastest_per_s2);
   const double limit = static_cast<double>(limit_per_s2);
-  for (std::uint32_t passes = 1; passes <= most; ++passes) {
+  for (std::uint32_t passes = 1; passes <= kMaxFilterPasses; ++passes) {
     if (fastest * fraction_left(out.passes, kLeastDamping) > limit) out.passes = passes;
   }
   const Chebyshev t = chebyshev(out.passes + 1, choose_damping(out.passes, limit / fastest));

@@ -41,15 +41,14 @@ struct FilterPass {
 struct Filter {
   std::uint32_t passes;
   float limit_per_s2;  // bound of x p(x)
-  FilterPass pass[kMaxGradedPasses];
+  FilterPass pass[kMaxFilterPasses];
 };
 
-// The limit of a step; below, the largest d / m that so many passes can bring to it.
+// The limit of a step; below, the largest d / m that kMaxFilterPasses passes can bring to it.
 float wave_limit_per_s2(float step_s, float tau_s);
-float most_filtered_per_s2(float limit_per_s2, std::uint32_t passes = kMaxFilterPasses);
-// The fewest passes that bring `fastest_per_s2`, the largest d / m, to the limit; `most` if no
+float most_filtered_per_s2(float limit_per_s2);
+// The fewest passes that bring `fastest_per_s2`, the largest d / m, to the limit; all passes if no
 // number does.
-Filter choose_filter(float limit_per_s2, float fastest_per_s2,
-                     std::uint32_t most = kMaxFilterPasses);
+Filter choose_filter(float limit_per_s2, float fastest_per_s2);
 
 }  // namespace stylet

@@ -44,6 +44,9 @@ struct Counts {
   std::uint32_t sheets, ties;                 // 1 and 0 without parts that share a cell
   std::uint32_t levels;                       // of voxels; 1: all have one edge
   std::uint32_t hanging, hanging_shares;      // nodes; what they give to masters (2.9)
+  // Of a graded lattice with true mass (lattice/ghosts.h): nodes of the cascade, ghosts among them,
+  // ghost cells, particles of level 0 beside them, shares from level to level.
+  std::uint32_t cascade, ghosts, ghost_cells, border, ghost_shares;
   std::uint32_t stiffening_slots;             // zero if no tissue stiffens
   std::uint32_t needles;                      // of the configuration
   std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
@@ -53,7 +56,7 @@ struct Counts {
   // Zero where a particle moves at once, with added mass and one level: particles, slots and ties;
   // tiles (lattice/tiles.h); floats of a plane of tiles, and of a filter's scratch.
   std::uint32_t filtered_particles, filtered_slots, filtered_ties;
-  std::uint32_t tiles, tile_floats;
+  std::uint32_t tiles, tile_floats, coarse_tiles;  // the last: of level 0
   std::uint64_t filter_floats;
 };
 
@@ -76,6 +79,7 @@ struct ModelHead {
   float substep_s;                                   // length of a substep
   float hourglass_weight;                            // chi
   Filter filter;                                     // not used with added mass
+  Ghosts ghosts;                                     // of a graded lattice with true mass
   float velocity_keep;                    // factor of the slip speed's low pass, per tick
   float cone_length_m[kMaxNeedles];       // of the tips, cone.h
   std::uint32_t obstacle_count;           // of obstacles that set_obstacles took
@@ -136,11 +140,24 @@ struct ScratchHead {
   F(hanging, HangingNode, c.hanging)                                                     \
   /* hanging_share: what they give to each master */                                     \
   F(hanging_share, HangingShare, c.hanging_shares)                                       \
-  /* hanging_mobility: s/kg: theirs in the passes */                                     \
-  F(hanging_mobility, float, c.hanging)                                                  \
-  /* hanging_place: nodes and shares by places in the tiles of all planes */             \
-  F(hanging_place, HangingNode, c.hanging)                                               \
-  F(hanging_place_share, HangingShare, c.hanging_shares)                                 \
+  /* ghost: where ghosts lie (lattice/ghosts.h) */                                       \
+  F(ghost, GhostNode, c.ghosts)                                                          \
+  /* ghost_cell: cells with finer voxels in them, of level 0 first */                    \
+  F(ghost_cell, GhostCell, c.ghost_cells)                                                \
+  /* border: particles of level 0 beside them */                                         \
+  F(border, std::uint32_t, c.border)                                                     \
+  /* border_place: where they lie in tiles */                                            \
+  F(border_place, std::uint32_t, c.border)                                               \
+  /* down_share: what nodes of the cascade give to coarser ones, finest first */         \
+  F(down_share, HangingShare, c.ghost_shares)                                            \
+  /* up_share: what nodes of the cascade get from coarser ones, coarsest first */        \
+  F(up_share, HangingShare, c.ghost_shares)                                              \
+  /* cascade_kg: kg: of a node of the cascade, without what it gets; 0 of a ghost */     \
+  F(cascade_kg, float, c.cascade)                                                        \
+  /* cascade_mobility: 1/kg: velocity over momentum of what it moves itself */           \
+  F(cascade_mobility, float, c.cascade)                                                  \
+  /* cascade_bound: N/m: bound on its stiffness */                                       \
+  F(cascade_bound, float, c.cascade)                                                     \
   /* row_of: first row of a place (y, z), to find the row of a voxel */                  \
   F(row_of, std::uint32_t, c.row_grid)                                                   \
   /* voxel_slot: slot of each of the organ file's voxels */                              \
