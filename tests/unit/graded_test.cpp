@@ -163,7 +163,7 @@ TEST(Graded, MomentumIsKeptAndEnergyFalls) {
     let_go(body.session, 1);
     const double first = energy_now(body.session.kernel);
     double last = first;
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 150; ++i) {
       let_go(body.session, 1);
       const double now = energy_now(body.session.kernel);
       EXPECT_LT(now, last + 1e-6 * first) << seed << " " << i;

@@ -68,26 +68,10 @@ std::uint32_t node_of_particle(const Plan& plan, std::uint32_t particle) {
   return g.border_begin + static_cast<std::uint32_t>(at - first);
 }
 
-// The first of the nodes of all sheets at a place that hang as this one does.
-std::uint32_t first_alike(const Plan& plan, const LevelPlace& at, std::uint32_t particle) {
-  const HangingNode* const h = hanging_at(plan.model, particle);
-  if (h == nullptr) return particle_of(plan.model, particle);
-  for (LevelPlace other = {at.level, 0, at.x, at.y, at.z}; other.sheet < at.sheet; ++other.sheet) {
-    if (!is_node(plan.organ, other)) continue;
-    const std::uint32_t node = particle_at(plan, other);
-    const HangingNode* const o = hanging_at(plan.model, node);
-    if (o != nullptr && std::equal(h->master, h->master + 4, o->master) &&
-        std::equal(h->weight, h->weight + 4, o->weight)) {
-      return node;
-    }
-  }
-  return particle;
-}
-
 // The node of the cascade at a corner of a ghost cell.
 std::uint32_t node_at_place(const Plan& plan, const LevelPlace& at) {
   if (is_node(plan.organ, at)) {
-    return node_of_particle(plan, first_alike(plan, at, particle_at(plan, at)));
+    return node_of_particle(plan, particle_of(plan.model, particle_at(plan, at)));
   }
   // Another sheet or a coarser level may have a node here: then a finer node hangs on it.
   for (std::uint32_t finer = 1; at.level + finer < plan.organ.levels; ++finer) {
@@ -96,6 +80,7 @@ std::uint32_t node_at_place(const Plan& plan, const LevelPlace& at) {
     if (!is_node(plan.organ, same)) continue;
     const HangingNode* const h = hanging_at(plan.model, particle_at(plan, same));
     if (h == nullptr || h->weight[0] != 1) continue;
+    if (level_of_particle(plan.model, h->master[0]) > at.level) continue;
     return node_of_particle(plan, h->master[0]);
   }
   const GhostNode* const first = plan.model.ghost;
@@ -187,6 +172,7 @@ void list_shares(const Plan& plan, const LevelPlace& at, HangingShare*& next) {
     if (!is_free(model, particle)) return;
   } else {
     child = node_at_place(plan, at);
+    if (child < plan.ghosts.border_end) return;  // a coarser node, which no ghost stands for
   }
   for_each_parent(at, [&](const LevelPlace& parent, float weight) {
     *next++ = {child, node_at_place(plan, parent), weight, at.level};
@@ -307,22 +293,75 @@ struct AnyCell {
   bool follows;  // its corners follow from those of the cell around it
 };
 
+// A weighted mean of nodes.
+struct Mean {
+  static constexpr std::uint32_t kMost = 64;
+  std::uint32_t count = 0;
+  std::uint32_t node[kMost];
+  float weight[kMost];
+  bool whole = true;  // else it has more nodes
+
+  void add(std::uint32_t of_node, float of_weight) {
+    const std::uint32_t* const at = std::find(node, node + count, of_node);
+    const auto i = static_cast<std::uint32_t>(at - node);
+    if (i == kMost) {
+      whole = false;
+      return;
+    }
+    weight[i] = (i == count ? 0 : weight[i]) + of_weight;
+    node[i] = of_node;
+    if (i == count) ++count;
+  }
+  bool is(const Mean& other) const {
+    bool same = whole && other.whole && count == other.count;
+    for (std::uint32_t i = 0; i < count && same; ++i) {
+      const std::uint32_t* const at = std::find(other.node, other.node + count, node[i]);
+      same = at != other.node + count && other.weight[at - other.node] == weight[i];
+    }
+    return same;
+  }
+};
+
+// The particle that a node of the cascade is; of a ghost, none.
+const std::uint32_t kNone = 0xFFFFFFFFU;
+std::uint32_t particle_of_node(const Plan& plan, std::uint32_t node) {
+  const Ghosts& g = plan.ghosts;
+  if (node < g.border_begin) return g.first_particle + node;
+  return node < g.border_end ? plan.model.border[node - g.border_begin] : kNone;
+}
+
+// The same with the masters of nodes that hang, and without nodes that are attached.
+Mean without_hanging(const Plan& plan, Mean mean) {
+  for (std::uint32_t i = 0; i < kMaxLevels; ++i) {  // masters hang on coarser levels
+    Mean next;
+    next.whole = mean.whole;
+    for (std::uint32_t k = 0; k < mean.count; ++k) {
+      const std::uint32_t particle = particle_of_node(plan, mean.node[k]);
+      const HangingNode* const h = hanging_at(plan.model, particle);
+      const bool moves = particle == kNone || plan.model.step_per_mass[particle] > 0;
+      if (h == nullptr && moves) next.add(mean.node[k], mean.weight[k]);
+      for (std::uint32_t m = 0; h != nullptr && m < 4 && h->weight[m] > 0; ++m) {
+        next.add(node_of_particle(plan, h->master[m]), mean.weight[k] * h->weight[m]);
+      }
+    }
+    mean = next;
+  }
+  return mean;
+}
+
 // Whether a node at a corner of a cell moves with the corners of the cell around that: with those
-// that lie around its place, in the cell's own sheet.
+// that lie around its place, in the cell's own sheet. (Weights are powers of two: sums are exact.)
 bool follows(const Plan& plan, const LevelPlace& place, std::uint32_t node) {
+  Mean wanted, own;
+  for_each_parent(place, [&](const LevelPlace& parent, float weight) {
+    wanted.add(node_at_place(plan, parent), weight);
+  });
   const Shares all = up_shares(plan, place.level);
   const auto before = [](const HangingShare& s, std::uint32_t to) { return s.to < to; };
-  const HangingShare* const first = std::lower_bound(all.first, all.end, node, before);
-  std::uint32_t parents = 0, same = 0;
-  for_each_parent(place, [&](const LevelPlace& parent, float weight) {
-    const std::uint32_t from = node_at_place(plan, parent);
-    ++parents;
-    for (const HangingShare* s = first; s != all.end && s->to == node; ++s) {
-      if (s->from == from && s->share == weight) ++same;
-    }
-    if (from == node) ++same;  // a coarser node is the corner
-  });
-  return parents == same;
+  const HangingShare* s = std::lower_bound(all.first, all.end, node, before);
+  for (; s != all.end && s->to == node; ++s) own.add(s->from, s->share);
+  if (own.count == 0) own.add(node, 1);  // attached, or of a coarser level
+  return without_hanging(plan, wanted).is(without_hanging(plan, own));
 }
 
 // The largest squared frequency of a voxel alone with this bound.
@@ -350,7 +389,7 @@ void for_each_voxel_of(const Plan& plan, std::uint32_t level, Visit visit) {
       for (std::uint32_t corner = 0; corner < 8; ++corner) {
         if (level == 0) continue;  // nothing is below
         const std::uint32_t node = row.node[corner >> 1U] + slot - row.slot + (corner & 1U);
-        cell.node[corner] = node_of_particle(plan, first_alike(plan, corner_of(at, corner), node));
+        cell.node[corner] = node_of_particle(plan, particle_of(model, node));
         cell.follows = cell.follows && follows(plan, corner_of(at, corner), cell.node[corner]);
       }
       visit(cell);

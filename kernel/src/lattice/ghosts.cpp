@@ -28,13 +28,14 @@ void move_own(const Model& model, std::uint32_t begin, std::uint32_t end, float 
   }
 }
 
-// Border nodes that are several nodes of level 0.
-void copy_tied(const Model& model, float* in_tiles) {
+// Border nodes that are several nodes of level 0: so many of a tile's groups of lanes. (In the third
+// group, bounds have those of voxels.)
+void copy_tied(const Model& model, float* in_tiles, std::uint32_t groups) {
   for (std::uint32_t z = 0; z < model.head->ghosts.coarse_planes; ++z) {
     const Plane& plane = model.plane[z];
     float* const own = in_tiles + std::size_t{plane.tiles.node} * kTileFloats;
     for (std::uint32_t i = plane.tie_begin; i < plane.tie_end; ++i) {
-      for (std::uint32_t c = 0; c < kTileFloats; c += kTile) {
+      for (std::uint32_t c = 0; c < groups * kTile; c += kTile) {
         own[model.tied_place[i].node + c] = own[model.tied_place[i].representative + c];
       }
     }
@@ -98,8 +99,8 @@ void start_ghosts(const Model& model, CascadeVectors& vectors, float* starts, fl
     bounds[place] = dt * (mobility * bound);
     bounds[place + kTile] = dt * mobility;
   }
-  copy_tied(model, starts);
-  copy_tied(model, bounds);
+  copy_tied(model, starts, 3);
+  copy_tied(model, bounds, 2);
 }
 
 void pass_ghosts(const Model& model, CascadeVectors& vectors, std::uint32_t j, float* next) {
@@ -121,7 +122,7 @@ void pass_ghosts(const Model& model, CascadeVectors& vectors, std::uint32_t j, f
     const Four more = (pass.bound_s2 * vectors.mobility[k][0]) * vectors.got[k];
     for (std::uint32_t c = 0; c < 3; ++c) next[model.border_place[k] + c * kTile] += more[c];
   }
-  copy_tied(model, next);
+  copy_tied(model, next, 3);
   for (std::uint32_t k = 0; k < border; ++k) {
     const float* const at = next + model.border_place[k];
     out[k] = Four{at[0], at[kTile], at[2 * kTile], 0};

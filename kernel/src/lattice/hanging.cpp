@@ -62,15 +62,6 @@ void copy_tied(const Model& model, float* values) {
   }
 }
 
-// The level of a particle; particles of a finer one have larger numbers.
-std::uint32_t level_of_particle(const Model& model, std::uint32_t particle) {
-  const Plane* const end = model.plane + (model.head->counts.planes + 1);
-  const auto before = [](std::uint32_t at, const Plane& plane) {
-    return at < plane.particle_begin;
-  };
-  return std::upper_bound(&model.plane[0], end, particle, before)[-1].level;
-}
-
 // Shares with the present mobilities: those of the finest nodes first, by master.
 void list_shares(const Model& model, HangingShare* shares) {
   HangingShare* end = shares;
@@ -120,6 +111,14 @@ void add_to_masters(const Model& model, float* of_particles) {
     }
   }
   copy_tied(model, of_particles);
+}
+
+std::uint32_t level_of_particle(const Model& model, std::uint32_t particle) {
+  const Plane* const end = model.plane + (model.head->counts.planes + 1);
+  const auto before = [](std::uint32_t at, const Plane& plane) {
+    return at < plane.particle_begin;
+  };
+  return std::upper_bound(&model.plane[0], end, particle, before)[-1].level;
 }
 
 const HangingNode* hanging_at(const Model& model, std::uint32_t particle) {

@@ -25,6 +25,8 @@ void count_hanging(const Organ& organ, Counts& counts_io);
 void fill_hanging(const Organ& organ, Model& model);
 // Adds what belongs to hanging nodes (mass, bounds on stiffness) to that of their masters.
 void add_to_masters(const Model& model, float* of_particles);
+// The level of a particle; particles of a finer one have larger numbers.
+std::uint32_t level_of_particle(const Model& model, std::uint32_t particle);
 // The entry of a particle that hangs, or null.
 const HangingNode* hanging_at(const Model& model, std::uint32_t particle);
 inline bool hangs(const Model& model, std::uint32_t particle) {
