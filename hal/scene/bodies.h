@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The things in a scene: the needle, what it cannot enter, and the targets that it shall reach.
-// Needles by name, and what they have of their own: hal/base/needles.h.
+// The bodies in a scene: the needle, obstacles that it cannot enter, and targets that it is to
+// reach. The needles by name, with their dimensions: hal/base/needles.h.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace stylet::hal {
 
-// The caller must end with needle.finish(), because other tables may lie in this one.
+// Reads [needle]. The caller then calls needle.finish(), because this table may contain others.
 NeedleConfig read_needle(Section& needle);
 // A rotation by angles about the world's x, then y, then z.
 Quat turned(const std::array<double, 3>& degrees);
@@ -21,7 +21,7 @@ std::vector<ObstacleConfig> read_obstacles(std::vector<Section> sections,
                                            std::vector<std::string>& hulls_out);
 std::vector<Target> read_targets(std::vector<Section> sections);
 BreathingConfig read_breathing(Section breathing);
-// What acts now, less what acted when the organ's shape was taken.
+// The gravity that acts now, less the gravity that acted when the organ's shape was taken.
 Vec3 read_gravity(Section gravity);
 
 }  // namespace stylet::hal

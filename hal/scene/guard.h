@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scene that keep the hand safe: what the device can do, and the guard's limits.
+// The tables of a scene that keep the hand safe: [device], [guard] and [coupling].
 #pragma once
 
 #include "hal/scene/section.h"
 
 namespace stylet::hal {
 
-// The keys of [device] that say what it can do and how it moves; for missing keys those of `model`.
-// The caller must end with device.finish().
+// Reads the keys of [device] that say what it can do and how it moves. A missing key has the value
+// of the device that the key `model` names. The caller then calls device.finish().
 DeviceModel read_device_model(Section& device, float period_s);
-// `device` is for messages: its keys may make a limit impossible.
+// `device` is used only for messages, because a limit may be impossible owing to its keys.
 GuardConfig read_guard(Section guard, const Section& device, const DeviceModel& model,
                        float period_s);
 CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const GuardConfig& guard,

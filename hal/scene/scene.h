@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: one TOML file that says what is run and how. Every key is listed in hal/scene/README.md.
+// A scene: one TOML file that says what is simulated. hal/scene/README.md lists every key.
 //
 // Promise: an unknown key, a wrong type, a missing or impossible value throws SceneError with one
 // line "file:line: key: value: what is allowed". May allocate; never called from the loop.
@@ -36,13 +36,13 @@ struct Approach {
   float start_m = 0.01F;          // distance of the tip from the surface
 };
 
-// Who holds a needle, where it starts, and what keeps the hand safe.
+// What holds a needle, where the needle starts, and what keeps the hand safe.
 struct Hand {
   Approach approach;
   std::string device = "simulated";  // or "steered", "replay", "attached"
   std::string replay_path;           // for device "replay"
   std::string uri;                   // for device "attached": see devices.h
-  DeviceModel model;                 // with the scene's own numbers where it has any
+  DeviceModel model;                 // numbers that the scene gives replace the model's
   DeviceInfo limits = {"simulated hand", 8, 2000, 0};
   GuardConfig guard;
   CouplingConfig coupling;
@@ -61,7 +61,7 @@ struct Scene {
   std::vector<std::string> hulls;  // files of obstacles
   std::vector<Target> targets;     // only for the score
   int rt_priority = 80;
-  int cpu = -1;               // -1: the last isolated one, else the last that the process may use
+  int cpu = -1;               // -1: the last isolated one, or else the last that is allowed
   std::uint32_t threads = 1;  // of the tissue step: the loop's thread and its helpers
   std::uint32_t hash_every_ticks = 1000;
   std::vector<Hand> hands = {Hand{}};  // one for each needle
@@ -69,20 +69,20 @@ struct Scene {
 
 // Makes the device of this URI hold the needle, whatever the scene says.
 void attach(Hand& hand, const std::string& uri);
-// Reduces what the hand asks of an open device to what the device can do. The guard's thresholds
-// become those of that device, or the scene's where they are stricter. Returns in words what was
-// taken from where.
+// Reduces what the hand asks of an open device to what the device can do. Each threshold of the
+// guard becomes the stricter of the device's and the scene's. Returns a text that says which number
+// was used and where it came from.
 std::string fit_to_device(const DeviceInfo& info, Hand& hand);
 
-// The first `held` needles will be held by devices (attach), whatever the scene says, so their
-// hands need no script.
+// Devices will hold the first `held` needles (attach), whatever the scene says, so the hands of
+// these needles need no script.
 Scene read_scene(const std::string& path, std::size_t held = 0);
 // `file` is only for messages.
 Scene parse_scene(std::string_view text, const std::string& file, std::size_t held = 0);
-// Only the targets of a scene, such as that of a recording, whose other files may be gone.
+// Reads only the targets of a scene. Other files of the scene, such as its organ, may be missing.
 std::vector<Target> parse_targets(std::string_view text, const std::string& file);
 
-// Start pose of a needle in an organ. Placing throws SceneError if the line misses the organ.
+// Start pose of a needle at an organ. place_needle throws SceneError if the line misses the organ.
 struct Placement {
   Course course;    // from where the line first meets the surface
   Mapping mapping;  // device at rest = needle's base at the start; device -z = direction

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One table of a TOML file, read key by key and checked.
+// Section: one table of a TOML file. It is read key by key, and each value is checked.
 //
 // Promise: every error throws SceneError with one line "file:line: key: value: what is
-// allowed"; finish() refuses keys that nobody asked for. Units: the file's.
+// allowed"; finish() refuses keys that were not read. Units: those of the file.
 #pragma once
 
 #include <fmt/format.h>

@@ -126,9 +126,8 @@ void add_build(CLI::App& app) {
       ->type_name("LAYER")
       ->allow_extra_args(false);
   command
-      ->add_option(
-          "--fill-gaps", a.fill_gaps,
-          "TISSUE:MM: gaps between inputs that are at most so wide are filled with this tissue")
+      ->add_option("--fill-gaps", a.fill_gaps,
+                   "TISSUE:MM: fill gaps between inputs, up to this width, with this tissue")
       ->type_name("GAP");
   command->add_flag("--split-gaps", a.split_gaps,
                     "Keep gaps open from a third of a voxel on: parts that lie in one voxel "

@@ -440,7 +440,7 @@ TEST(Slides, WhatCannotBeMeantIsRefused) {
             "--slide 'liver:liver': liver cannot slide on itself: expected two tissues");
   EXPECT_EQ(check({"liver:fat", "liver:fat:0.3"}),
             "--slide 'liver:fat:0.3': liver slides on fat already (--slide 'liver:fat'): expected "
-            "each two tissues once");
+            "each pair of tissues once");
   EXPECT_EQ(check({"liver:fat", "fat:liver"}),
             "--slide 'fat:liver': liver slides on fat already (--slide 'liver:fat'): expected only "
             "one of two tissues to be the ground");

@@ -4,8 +4,9 @@
 // Needle and tissue are solved in turn. This is stable, because each solution lowers their common
 // energy. The needle bends twice in a tick, before and after the step of the tissue, so that the
 // hand feels the energy that the joints store. (With one bend it bent against tissue that stood
-// still, so too far, and the hand felt the difference: up to 10 % of its work.) With its tip in
-// contact it bends once more (meet_tissue). Every bend includes the obstacles (needle/rod.h).
+// still; so it bent too far, and the hand felt the difference: up to 10 % of its work.) With its
+// tip in contact it bends once more (meet_tissue). Every bend includes the obstacles
+// (needle/rod.h).
 //
 // Promises: no allocation; operations bounded by limits.h. Units SI, frame of the attachments.
 // PHYSICS 6.4.

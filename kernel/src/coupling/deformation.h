@@ -21,9 +21,7 @@ struct Gradient {
 
 Gradient gradient_around(const Model& model, const State& state, const Particle& p);
 
-// Rest-frame image of a step in deformed tissue. Rest places must follow the material, not only
-// the rotation: else a needle that leaves strained tissue does not find its way back to its
-// entry.
+// Rest-frame image of a step in deformed tissue.
 Vec3 pull_back(const Gradient& g, Vec3 step);
 
 // The same for a long step. A voxel's deformation says nothing about the next voxel: in tissue

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers as the event log reports them: a tip that trembles at a face is reported once.
+// Reports to the event log which layer the tip is in. A tip that moves back and forth at the
+// boundary of two layers is reported once.
 //
 // Promises: bounded by kMaxEvents, no allocation; changes the log and nothing that is felt.
 // PHYSICS 9.2.

@@ -29,7 +29,8 @@ MatchFrame match_frame(const Model& model, const State& state, std::uint32_t slo
 // to the bounds on stiffness. Returns output flags.
 std::uint32_t gather_coupled(const Model& model, State& state, Scratch& scratch);
 
-// Forces of all CPs from the goals of the last match; books what their slips have cost.
+// Computes the forces of all CPs from the goals of the last match, and books the energy that their
+// slips have lost.
 void measure_forces(const Model& model, State& state);
 
 // Copies a CP (its number: needle, then place in the shaft, the tip last) with goals computed for

@@ -3,10 +3,11 @@
 // and separate. Points of one part's surface meet the other part, their ground, which knows how
 // deep each place of it lies below its own surface. PHYSICS 2.8.
 //
-// A point that has come below the ground's surface by a depth has the energy k depth^2 / 2, where
-// the depth is taken in the ground at rest: of the material that lies at the point now. The forces
-// are the slopes of that energy, with the ground's gradient of the substep before: equal and
-// opposite, so momentum is kept exactly; its moment and energy as far as a substep is short.
+// A point at a depth below the ground's surface has the energy k depth^2 / 2. The depth is that, in
+// the ground at rest, of the material that lies at the point now. The forces are the slopes of that
+// energy, with the ground's gradient of the substep before. They are equal and opposite, so
+// momentum is kept exactly; its moment and the energy are kept with an error that grows with the
+// substep.
 // Friction is a spring along the surface that slips at its limit.
 //
 // Promises: no allocation; a fixed number of operations for each point; the same bits for any

@@ -18,7 +18,7 @@
 namespace stylet {
 
 // kSideways: only on the tip's way of this tick. kUnknown: a bound was reached before anything was
-// found, and kFlagContactBudget is set; the tip must not go on.
+// found; kFlagContactBudget is then set, and the tip must not go on.
 enum class Contact : std::uint32_t { kNone, kFound, kSideways, kUnknown };
 
 // Length of the front part of a needle that is searched for the surface.

@@ -2,14 +2,16 @@
 // Body of the filter (filter.h): velocities from momenta, and the particles' motion; part of the
 // lattice sweep, compiled with it once per instruction set.
 //
-// The passes run through the planes as a wave: pass j is a plane behind pass j - 1, so a pass keeps
-// only three planes of its start values and two of what voxels send. They stay in a near cache.
+// The passes run through the planes as a wave: pass j is one plane behind pass j - 1. So a pass
+// keeps only three planes of its start values and two of what voxels send, which stay in a near
+// cache.
 // (Passes one by one over whole arrays do not fit: with 20 000 voxels they took twice the time.) A
 // slab computes the iterates that it needs of planes beside it a second time, so no pass
 // waits for another thread; the bits do not depend on slabs.
 //
-// In a pass each voxel takes the mean of its eight corners and gives it to them. Before the first
-// pass a plane is brought into the order of tiles (lattice/tiles.h), after the last one back.
+// In a pass each voxel computes the mean of its eight corners and sends it to them. Before the
+// first pass, each plane is brought into the order of tiles (lattice/tiles.h); after the last pass,
+// it is brought back.
 //
 // Internal linkage throughout, as in lanes.h. PHYSICS 3.4.
 #pragma once
@@ -34,7 +36,7 @@ constexpr float kQuantum = 1.52587890625e-05F;  // 2^-16: displacements and velo
 
 struct Motion {
   float dt, tau, keep;
-  // Bounds of a velocity, and of momentum over mass: what is torn so fast loses it.
+  // Limits of a velocity, and of momentum over mass: faster particles lose the rest.
   float fastest, most_momentum;
   // Largest displacement so far, as bits: as integers they have the order of floats.
   WideBits largest = {};

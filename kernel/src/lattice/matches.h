@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between memory and the step's registers: what a match of a voxel's corners with its constraint
-// particles (CPs) reads, and where its results go. Which voxels that are, and whose supports, the
-// scratch says (coupling/match.h lists them once a tick); the lattice only follows the lists.
+// Matches of voxels that hold constraint particles (CPs): loads from memory into the step's
+// registers what a match of a voxel's corners with its CPs reads, and stores the results. Lists in
+// the scratch name these voxels and supports (coupling/match.h makes them once a tick); the lattice
+// only follows the lists.
 //
 // Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
 // supports. Compiled once, for all instruction sets. Units SI, frame of the attachments. Source:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lattice as the sweep walks it, computed once: where voxels and nodes lie, and which slots
-// send forces to which particles. The sweep then walks flat lists.
+// The plan: flat lists that the sweep of the lattice follows, computed once at creation. They say
+// where voxels and nodes lie, and which slots send forces to which particles.
 //
 // A window is a group of lanes: neighbouring nodes of one line (y) of a voxel plane. It collects
 // forces from the voxel rows on both sides, y - 1 and y, whose ends may differ: a bit for each lane

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rotation of a cluster: one step of a warm-started, always-safe eigenvector iteration.
+// The rotation of a cluster: one step of an eigenvector iteration that starts from the last
+// rotation and never moves away from the solution.
 //
 // The best rotation of A (paper section IV, Mueller et al. 2005) is the largest eigenvector of
 // Davenport's 4 x 4 matrix K(A). Seen from the last rotation R, with B = R^T A, K has the corner

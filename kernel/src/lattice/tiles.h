@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lattice in whole registers, as the filter's passes walk it (lattice/filter_passes.h).
+// Tiles: the order of the lattice in whole registers, which the filter's passes follow
+// (lattice/filter_passes.h).
 //
 // A tile is eight neighbouring places of a line along x, the first at a multiple of eight in the
 // whole lattice. In this order all that belongs to a tile (its nodes in the lines beside it, what

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two tissues that are not joined: the first lies on the ground and slides along it.
+// Slide: two tissues that are not joined. The first lies on the second, its ground, and slides on
+// it.
 #pragma once
 
 #include <string>

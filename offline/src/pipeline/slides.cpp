@@ -70,7 +70,7 @@ void refuse_unknown(const Slide& slide, const std::string& tissue, const BuildOp
 // Refuses a slide of two tissues that an earlier one has.
 void check_repeated(const Slide& slide, const Slide& earlier) {
   if (slide.tissue == earlier.tissue && slide.ground == earlier.ground) {
-    refuse("{}: {} slides on {} already ({}): expected each two tissues once", slide.from,
+    refuse("{}: {} slides on {} already ({}): expected each pair of tissues once", slide.from,
            slide.tissue, slide.ground, earlier.from);
   }
   if (slide.tissue == earlier.ground && slide.ground == earlier.tissue) {

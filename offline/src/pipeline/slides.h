@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tissues of a build that slide on each other: what a user says of them, how their inputs are kept
-// apart, and how they get into the organ.
+// Tissues of a build that slide on each other: reads the user's options, decides which inputs are
+// kept apart, and makes the points and grounds of the organ.
 //
-// Promises: what cannot be meant is refused with the option's name; a user is told where parts do
-// not meet, and of surface that is left out. Units: metres.
+// Promises: an impossible option is refused with its name; warnings tell the user where parts do
+// not meet, and which surface is left out. Units: metres.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ std::string text_of(const Slide& slide);
 // Which owners are apart; `tissues` are those of the owners.
 ApartOwners apart_owners(const std::vector<Slide>& slides, const std::vector<std::string>& tissues);
 
-// Points and grounds of all slides. `claimed` is as the lattice was made of it.
+// Points and grounds of all slides. `claimed` is what the lattice was made of.
 SlideLists place_slides(const std::vector<Slide>& slides, const Claimed& claimed,
                         const Lattice& lattice, std::vector<std::string>& warnings);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs that are never connected with one another, however near they are: tissues that slide.
-// Such inputs are on sides, numbered from 1; all others are on side 0, which joins every side.
+// Keeps inputs apart that are never connected with one another, however near they are: tissues that
+// slide. Each of these tissues is a side, numbered from 1. All other inputs are on side 0, which is
+// joined to every side.
 // Time: linear in the cells with samples of several sides.
 #pragma once
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where parts slide on each other, as the organ file has it: points of one part's surface, and the
-// other's voxels, which know how far their corners lie from its surface.
+// Makes the lists by which an organ file describes parts that slide on each other: points of one
+// part's surface, and for the voxels of the other part, its ground, the distances of their corners
+// from the ground's surface.
 //
 // Promises: the points' areas add up to that of the surface they are on; distances are those of the
 // surface itself, not of voxels; a point is in a voxel of its own part. Deterministic.
@@ -36,7 +37,7 @@ struct SlideLists {
 // A part's surface counts where the ground is so near and faces it: gaps up to here may close.
 constexpr double kSlideReachM = 0.01;
 
-// What lies in cells that are `cut` away (voxels/crop.h) is not missed.
+// Surface in cells that are `cut` away (voxels/crop.h) is left out of the areas.
 SlideLists list_slides(const std::vector<SlidingPart>& parts, const std::vector<SlidingPair>& pairs,
                        const Lattice& lattice, const std::vector<std::uint8_t>& cut);
 
