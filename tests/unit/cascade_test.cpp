@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// True mass on a graded lattice: each level moves its own short waves, within its part of the
+// step's limit (lattice/ghosts.h).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "graded.h"
+#include "lattice/ghosts.h"
+#include "lattice/hanging.h"
+#include "lattice/voxel.h"
+#include "state/layout.h"
+
+namespace stylet::test {
+namespace {
+
+struct Body {
+  std::unique_ptr<OpenOrgan> organ;
+  Session session;
+};
+Body make(const Graded& graded, const Config& config) {
+  Body out = {packed(*graded_organ(graded)), {}};
+  out.session = make_session(out.organ->organ, config);
+  return out;
+}
+
+std::function<bool(std::uint32_t, int, int, int)> split_at_random(unsigned seed, double part) {
+  return [=](std::uint32_t level, int x, int y, int z) {
+    std::seed_seq place = {seed, level, static_cast<unsigned>(x), static_cast<unsigned>(y),
+                           static_cast<unsigned>(z)};
+    std::mt19937 random(place);
+    return std::bernoulli_distribution(part)(random);
+  };
+}
+
+// The bounds on the lattice's stiffness as an operator on its particles, in doubles and written
+// from PHYSICS 3.4: each voxel times the difference of its corners from their mean. Nodes of the
+// cascade that are level 0's own come after the others.
+class Bounds {
+ public:
+  explicit Bounds(const View& view) : model_(view.model), ghosts_(view.model.head->ghosts) {}
+
+  // The largest eigenvalue of a level's mobilities times the stiffness of what they move, found by
+  // power iteration: at most what it really is.
+  double largest(std::uint32_t level) {
+    const std::size_t count = model_.head->counts.cascade + ghosts_.first_particle;
+    std::vector<double> x(count), y;
+    std::mt19937 random(level + 1);
+    std::normal_distribution<double> draw;
+    for (double& value : x) value = draw(random);
+    double size = 0;
+    for (int i = 0; i < 300; ++i) {
+      for (std::size_t k = 0; k < count; ++k) x[k] *= mobility(level, k);
+      y = stiffness_of(x);
+      size = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        if (!(mobility(level, k) > 0)) y[k] = 0;
+        size = std::max(size, std::fabs(y[k]));
+      }
+      if (!(size > 0)) return 0;
+      for (std::size_t k = 0; k < count; ++k) x[k] = y[k] / size;
+    }
+    return size;
+  }
+
+ private:
+  std::size_t node_of(std::uint32_t particle) const {
+    if (particle >= ghosts_.first_particle) return particle - ghosts_.first_particle;
+    const std::uint32_t* const first = model_.border;
+    const std::uint32_t* const end = first + (ghosts_.border_end - ghosts_.border_begin);
+    const std::uint32_t* const at = std::find(first, end, particle);
+    if (at != end) return ghosts_.border_begin + static_cast<std::size_t>(at - first);
+    return model_.head->counts.cascade + particle;
+  }
+
+  bool is_own(std::uint32_t level, std::size_t node) const {
+    const Ghosts& g = ghosts_;
+    if (level == 0) {
+      return (node >= g.border_begin && node < g.ghost_begin[1]) ||
+             node >= model_.head->counts.cascade;
+    }
+    return (node >= g.fine_begin[level] && node < g.fine_begin[level + 1]) ||
+           (node >= g.ghost_begin[level] && node < g.ghost_begin[level + 1]);
+  }
+
+  double mobility(std::uint32_t level, std::size_t node) const {
+    if (!is_own(level, node)) return 0;
+    const std::size_t count = model_.head->counts.cascade;
+    if (node >= count) {
+      return static_cast<double>(model_.step_per_mass[node - count] / model_.head->substep_s);
+    }
+    const float limit = level == 0 ? ghosts_.fastest_per_s2 : ghosts_.limit_per_s2[level];
+    return static_cast<double>(std::min(
+        model_.cascade_mobility[node], limit / std::max(model_.cascade_bound[node], 1e-20F)));
+  }
+
+  // From the nodes to all that follows from them, through the voxels, and back.
+  std::vector<double> stiffness_of(std::vector<double> x) const {
+    const HangingShare* const end = model_.up_share + ghosts_.up_begin[kMaxLevels];
+    for (const HangingShare* s = model_.up_share; s != end;) {
+      const HangingShare* const behind = s + s->count;
+      for (const std::uint32_t to = s->to; s != behind; ++s) {
+        x[to] += static_cast<double>(s->share) * x[s->from];
+      }
+    }
+    std::vector<double> y(x.size());
+    for (std::uint32_t voxel = 0; voxel < model_.head->counts.voxels; ++voxel) {
+      const Row& row = model_.row[model_.voxel_row[voxel]];
+      const std::uint32_t slot = model_.voxel_slot[voxel];
+      std::size_t node[8];
+      double mean = 0;
+      for (std::uint32_t c = 0; c < 8; ++c) {
+        node[c] = node_of(row.node[c >> 1U] + slot - row.slot + (c & 1U));
+        mean += x[node[c]] / 8;
+      }
+      const double bound = 8 * static_cast<double>(model_.slot_bound[slot]);
+      for (const std::size_t n : node) y[n] += bound * (x[n] - mean);
+    }
+    const HangingShare* const down_end = model_.down_share + ghosts_.down_begin[0];
+    for (const HangingShare* s = model_.down_share; s != down_end;) {
+      const HangingShare* const behind = s + s->count;
+      for (const std::uint32_t to = s->to; s != behind; ++s) {
+        y[to] += static_cast<double>(s->share) * y[s->from];
+      }
+    }
+    return y;
+  }
+
+  const Model& model_;
+  const Ghosts& ghosts_;
+};
+
+TEST(Cascade, EachLevelStaysWithinItsPartOfTheLimit) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    Graded graded;
+    graded.levels = 2 + seed % 3;
+    graded.nx = graded.ny = 3;
+    graded.nz = graded.levels == 4 ? 1 : 2;
+    graded.split = split_at_random(seed, 0.4);
+    graded.fixed_faces = seed % 2 == 0 ? kLowZ : 0;
+    Body body = make(graded, Config{});
+    const View view = view_of(body.session.kernel);
+    const Ghosts& ghosts = view.model.head->ghosts;
+    ASSERT_EQ(ghosts.on, 1U) << seed;
+    Bounds bounds(view);
+    const double coarse = bounds.largest(0) / static_cast<double>(ghosts.fastest_per_s2);
+    EXPECT_LT(coarse, 1.0001) << seed;
+    float all_per_s2 = view.model.head->filter.limit_per_s2;
+    for (std::uint32_t level = 1; level < graded.levels; ++level) {
+      const double limit = static_cast<double>(ghosts.limit_per_s2[level]);
+      const double part = bounds.largest(level) / limit;
+      EXPECT_LT(part, 1.0001) << seed << " level " << level;
+      EXPECT_GT(part, 0.8) << seed << " level " << level;  // no slower than it must be
+      all_per_s2 += ghosts.limit_per_s2[level];
+    }
+    const Config config;
+    const float limit = wave_limit_per_s2(view.model.head->substep_s, config.tissue_damping_s);
+    EXPECT_LT(all_per_s2, 1.0001F * limit) << seed;
+  }
+}
+
+// A body that moves as a whole keeps its speed: no level adds or takes mass.
+TEST(Cascade, ABodyInFreeFlightHasItsMass) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    Graded graded;
+    graded.levels = 2 + seed % 3;
+    graded.nx = graded.ny = graded.nz = graded.levels == 4 ? 2 : 3;
+    graded.split = split_at_random(seed, 0.5);
+    Config config;
+    config.surround_drag_per_s = 0;
+    config.gravity_m_per_s2 = {0.3F, -0.7F, 1.1F};
+    Body body = make(graded, config);
+    const View view = view_of(body.session.kernel);
+    double kg = 0, momentum = 0;
+    for (int i = 0; i < 2000; ++i) (void)tick(body.session.kernel, Input{});
+    const ModelHead& head = *view.model.head;
+    double slowest = 1e9, fastest = 0;
+    for (std::uint32_t voxel = 0; voxel < head.counts.voxels; ++voxel) {
+      const std::uint32_t p = view.model.row[view.model.voxel_row[voxel]].node[0] +
+                              view.model.voxel_slot[voxel] -
+                              view.model.row[view.model.voxel_row[voxel]].slot;
+      const double v = static_cast<double>(view.state.vz[p]);
+      slowest = std::min(slowest, v);
+      fastest = std::max(fastest, v);
+      if (hangs(view.model, p)) continue;
+      kg += 1;
+      momentum += v;
+    }
+    // Gravity comes in over the first second: half of it counts there.
+    const double wanted = 1.1 * 1.5;
+    EXPECT_NEAR(momentum / kg, wanted, 0.01 * wanted) << seed;
+    EXPECT_GT(slowest, 0.97 * wanted) << seed;
+    EXPECT_LT(fastest, 1.03 * wanted) << seed;
+  }
+}
+
+// Force swing at the hand while it moves by 1 mm to either side, 12 mm deep, at `hz`.
+double swing_n(Kernel& kernel, const Input& held, const Vec3& way, double hz) {
+  const int period = static_cast<int>(1000 / hz);
+  float low = 1e9F, high = -1e9F;
+  for (int i = 0; i < 3 * period; ++i) {
+    const auto s = static_cast<float>(std::sin(2 * 3.14159265358979 * hz * i * 1e-3));
+    Input input = held;
+    input.handle.position_m = held.handle.position_m + s * way;
+    const float force_n = dot(tick(kernel, input).force_n, way) / norm(way);
+    if (i < 2 * period) continue;
+    low = std::min(low, force_n);
+    high = std::max(high, force_n);
+  }
+  return static_cast<double>(high - low);
+}
+
+TEST(Cascade, AMovingHandFeelsTheMassOfTheTissue) {
+  Graded graded;
+  graded.nx = graded.ny = 7;
+  graded.nz = 5;
+  graded.levels = 3;
+  graded.fixed_faces = kLowZ;
+  graded.materials[0].puncture_force_n = 0.05F;
+  graded.materials[0].cutting_force_n = 0.03F;
+  graded.split = [](std::uint32_t level, int x, int y, int) {
+    const double edges = level == 0 ? 1 : 2, reach = level == 0 ? 1.6 : 0.8;
+    return std::fabs((x + 0.5) / edges - 3.4) < reach && std::fabs((y + 0.5) / edges - 3.7) < reach;
+  };
+  const Vec3 ways[] = {{1e-3F, 0, 0}, {0, 1e-3F, 0}, {0, 0, 1e-3F}};
+  double felt[2][3][2] = {};
+  for (const bool converged : {false, true}) {
+    Config config;
+    config.substeps = converged ? 16 : 1;
+    config.needle[0].unit_m = 2.5e-3F;
+    Body body = make(graded, config);
+    Kernel& kernel = body.session.kernel;
+    EXPECT_EQ(view_of(kernel).model.head->ghosts.on, 1U);
+    const float top_m = graded.voxel_edge_m * graded.nz, length_m = config.needle[0].length_m;
+    const Script script = {{3.4F * graded.voxel_edge_m, 3.7F * graded.voxel_edge_m, top_m},
+                           length_m};
+    Input input = scripted_input(script, 0);
+    for (int i = 0; i < 1500; ++i) {  // 20 mm/s to 12 mm, and rest
+      const float depth_m = std::min(-3e-3F + 2e-5F * static_cast<float>(i), 12e-3F);
+      input.handle.position_m.z = top_m + length_m - depth_m;
+      (void)tick(kernel, input);
+    }
+    EXPECT_GT(view_of(kernel).state.needle->shaft_count, 2U);
+    for (int way = 0; way < 3; ++way) {
+      for (int k = 0; k < 2; ++k) {
+        felt[converged][way][k] = swing_n(kernel, input, ways[way], k == 0 ? 4 : 8);
+      }
+    }
+  }
+  for (int way = 0; way < 3; ++way) {
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_NEAR(felt[0][way][k], felt[1][way][k], 0.05 * felt[1][way][k]) << way << " " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stylet::test
