@@ -27,8 +27,8 @@ SOURCE, BUILD, EXAMPLE_IN_C, ORGAN_MAKER, LIBRARY = (
 BROWSER = SOURCE / "hal/hosts/browser"
 PACKAGE = BUILD / "browser/package"
 SKIPPED = 77
-# 200 kB and what contact between parts of an organ that slide takes.
-MOST_BYTES = 207_000
+# What is reached. (The bar is 200 kB.)
+MOST_BYTES = 193_500
 README = re.search(r"^```js\n(.*?)^```", (BROWSER / "package/README.md").read_text(),
                    re.S | re.M)[1]
 PAGE = """<!doctype html><meta charset="utf-8"><script type="importmap">
