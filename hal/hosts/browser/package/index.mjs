@@ -5,6 +5,7 @@
 // Units: SI. Frame: the organ's at rest, right-handed. Arrays of places are Float32Array with x, y,
 // z one after the other. Arrays and objects that a method returns are the caller's.
 import { constants, structs } from "./layout.mjs";
+import { Helpers, may_share } from "./threads.mjs";
 
 export { constants };
 
@@ -211,15 +212,36 @@ class Handle {
 
 // ---- the library -------------------------------------------------------------------------------
 
+const PAGES = { initial: 256, maximum: 16384, shared: true }; // of 64 KiB: 1 GiB at most
+
 /** Loads the library: `source` is the bytes of stylet.wasm, a compiled module, a Response or its
- * address; without it, the file beside this one. */
-export async function load(source = new URL("./stylet.wasm", import.meta.url)) {
-  const module = await module_of(await source);
+ * address; without it, the file beside this one. With more threads than one `shared` is loaded
+ * instead, stylet-threads.wasm, if threads may share memory here; else there is one thread. */
+export async function load(source = new URL("./stylet.wasm", import.meta.url),
+  { threads = 1, shared = new URL("./stylet-threads.wasm", import.meta.url) } = {}) {
+  if (!Number.isInteger(threads) || threads < 1 || threads > constants.MAX_HELPERS + 1) {
+    throw new TypeError(`threads: ${threads}: expected 1 to ${constants.MAX_HELPERS + 1}`);
+  }
+  if (threads > 1 && may_share()) {
+    try {
+      const module = await module_of(await shared);
+      const memory = new WebAssembly.Memory(PAGES);
+      const exports = await instantiate(module, memory);
+      const helpers = await Helpers.start(threads - 1, module, memory, exports);
+      return new Stylet(exports, helpers);
+    } catch {
+      // A page may forbid workers, a machine lack room: `threads` of the library tells.
+    }
+  }
+  return new Stylet(await instantiate(await module_of(await source)));
+}
+
+// The exports of a new instance, and its memory.
+async function instantiate(module, shared) {
   const wasi = { proc_exit: (code) => { throw new StyletError(`the library ended (${code})`); } };
-  let library;
+  let memory;
   const texts = [];
   wasi.fd_write = (_fd, list, count, written) => { // what an assertion says before it ends
-    const { memory } = library;
     let sum = 0;
     for (let i = 0; i < count; ++i) {
       const at = memory.view.getUint32(list + 8 * i, true);
@@ -234,11 +256,12 @@ export async function load(source = new URL("./stylet.wasm", import.meta.url)) {
   wasi.fd_close = wasi.fd_seek = () => 0;
   const instance = await WebAssembly.instantiate(module, {
     wasi_snapshot_preview1: wasi,
-    env: { emscripten_notify_memory_growth: () => {} },
+    env: { emscripten_notify_memory_growth: () => {}, memory: shared },
   });
-  library = new Stylet(instance.exports);
-  instance.exports._initialize();
-  return library;
+  const exports = shared ? { ...instance.exports, memory: shared } : instance.exports;
+  memory = new Memory(exports);
+  exports._initialize();
+  return exports;
 }
 
 async function module_of(source) {
@@ -261,9 +284,22 @@ async function module_of(source) {
 }
 
 export class Stylet {
-  constructor(exports) {
+  #helpers;
+  constructor(exports, helpers = null) {
     this.exports = exports;
     this.memory = new Memory(exports);
+    this.#helpers = helpers;
+  }
+
+  /** How many share a tick. */
+  get threads() {
+    return 1 + (this.#helpers?.count ?? 0);
+  }
+
+  /** Ends all threads but the caller's, which then does all by itself. */
+  end_threads() {
+    this.#helpers?.end();
+    this.#helpers = null;
   }
 
   get version() {
@@ -354,6 +390,11 @@ export class Stylet {
   }
 
   // ---- for Organ and Simulation
+
+  // Calls run(), which ticks a simulation, with the help of all threads.
+  together(simulation, run) {
+    return this.#helpers ? this.#helpers.during(simulation, run) : run();
+  }
 
   // Calls use(address) with the struct's defaults and `values`.
   with_struct(struct, init, values, use) {
@@ -516,6 +557,9 @@ export class Simulation {
     this.organ = organ;
     this.handle = new Handle(library, SIMULATION, handle);
     this.needles = library.exports.stylet_simulation_needles(handle);
+    if (library.threads > 1) {
+      library.check(library.exports.stylet_simulation_set_helpers(handle, library.threads - 1));
+    }
   }
 
   /** One tick: poses[i] = { position_m, rotation } moves needle i, null leaves it (and counts).
@@ -537,7 +581,8 @@ export class Simulation {
       for (let i = 0; i < ticks.length * n; ++i) {
         memory.view.setUint32(outs + i * output, output, true);
       }
-      library.check(exports.stylet_simulation_run(this.handle.at, room, outs, ticks.length));
+      library.check(library.together(this.handle.at, () =>
+        exports.stylet_simulation_run(this.handle.at, room, outs, ticks.length)));
       const from = last ? ticks.length - 1 : 0;
       return Array.from({ length: ticks.length - from }, (_, t) =>
         Array.from({ length: n }, (_, i) =>
