@@ -128,9 +128,10 @@ namespace {
 // a loop in each it took 2 kB of a page's library.)
 std::size_t first_unequal(const void* a, const void* b, std::size_t bytes, std::size_t count) {
   const auto *p = static_cast<const std::byte*>(a), *q = static_cast<const std::byte*>(b);
-  std::size_t i = 0;
-  while (i < count && std::memcmp(p + i * bytes, q + i * bytes, bytes) == 0) ++i;
-  return i;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::memcmp(p + i * bytes, q + i * bytes, bytes) != 0) return i;
+  }
+  return count;
 }
 
 }  // namespace

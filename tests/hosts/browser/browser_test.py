@@ -33,7 +33,8 @@ MOST_BYTES = {"stylet.wasm": 193_500, "stylet-threads.wasm": 207_000}
 README = re.search(r"^```js\n(.*?)^```", (BROWSER / "package/README.md").read_text(),
                    re.S | re.M)[1]
 PAGE = """<!doctype html><meta charset="utf-8"><script type="importmap">
-{"imports": {"stylet-wasm": "./package/index.mjs"}}</script><pre id="out1"></pre><pre id="out2"></pre>
+{"imports": {"stylet-wasm": "./package/index.mjs"}}</script>
+<pre id="out1"></pre><pre id="out2"></pre>
 <script type="module">
 import { insertion } from "./session.mjs";
 const bytes = await (await fetch("./liver.organ")).arrayBuffer();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The insertion of the example in C, for a page: its lines as one text, and how many threads it had.
+// The insertion of the example in C, for a page: its lines as one text, and how many threads there
+// were.
 import { load } from "stylet-wasm";
 
 export async function insertion(bytes, wanted = 1) {

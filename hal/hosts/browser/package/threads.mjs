@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Helper threads: workers that share the library's memory and take part in the tissue step while
 // the thread that ticks is in a run. Between runs they look for the next for some 50 us, then
-// sleep, and none of them is in the library: what allocates, frees or changes a simulation is alone.
+// sleep, and none of them is in the library: what allocates, frees or changes one is alone there.
 
 const GATE = 0, INSIDE = 1, SIMULATION = 2; // words that all threads share
 const STACK_BYTES = 1 << 16; // a tick takes half of it at most
