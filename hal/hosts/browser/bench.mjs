@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of a tick in WebAssembly, of an organ with its needle away; with STYLET_BENCH also that of
-// the same step natively with SSE2, in turns with it.
+// Time of a tick in WebAssembly, of an organ with its needle away, and with threads; with
+// STYLET_BENCH also that of the same step natively with SSE2, in turns with it.
 //
 //   node hal/hosts/browser/bench.mjs build/browser/package ORGAN [build/release/bin/stylet-bench]
 import { spawnSync } from "node:child_process";
@@ -10,9 +10,25 @@ import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const ROUNDS = 5, TICKS = 200;
+const MOST_THREADS = 4;
 
 function median(values) {
   return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+}
+
+// Microseconds a tick as a clock counts them: of the best round, as other work only adds to it.
+async function by_threads(load, threads, file) {
+  const stylet = await load(undefined, { threads });
+  const simulation = stylet.simulation(stylet.organ(readFileSync(file)));
+  const poses = Array.from({ length: TICKS }, () => [null]);
+  const round = () => {
+    const before = performance.now();
+    simulation.run(poses, { last: true });
+    return 1e3 * (performance.now() - before) / TICKS;
+  };
+  const best = Math.min(...Array.from({ length: 2 * ROUNDS }, round));
+  stylet.end_threads();
+  return best;
 }
 
 // Microseconds of processor time a tick.
@@ -55,4 +71,9 @@ if (program) {
   const native = median(times.native);
   console.log(`native SSE2  ${native.toFixed(0)} us, ${(wasm / native).toFixed(2)} times as long ` +
     "in WebAssembly");
+}
+const processors = Math.min(os.availableParallelism(), MOST_THREADS);
+for (let threads = 1; threads <= processors; ++threads) {
+  const us = await by_threads(load, threads, organ_file);
+  console.log(`by ${threads} threads  ${us.toFixed(0)} us by the clock`);
 }

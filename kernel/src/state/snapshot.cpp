@@ -14,7 +14,7 @@ constexpr std::uint64_t kHashStart = 0xcbf29ce484222325ULL, kHashPrime = 0x10000
 
 // Hash of names and sizes of all fields: it changes with every field that is added, removed or
 // resized. If only the meaning of a field changes, the magic number must change.
-constexpr std::uint64_t layout_hash() {
+consteval std::uint64_t layout_hash() {
   std::uint64_t hash = kHashStart;
   const auto add = [&](std::string_view name, std::size_t size) {
     for (const char letter : name) {

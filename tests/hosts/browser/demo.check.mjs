@@ -3,7 +3,10 @@
 // proof computed, tries the other scenes; one has a telephone and a thumb. Tells what was seen as
 // JSON.
 //
-//   node demo.check.mjs PAGE PLAYWRIGHT CHROMIUM
+// Given an address instead of a file, it tells what is said of threads where there are four
+// processors.
+//
+//   node demo.check.mjs PAGE|ADDRESS PLAYWRIGHT CHROMIUM
 const [page_file, playwright, executablePath] = process.argv.slice(2);
 const { chromium } = await import(playwright);
 
@@ -107,7 +110,23 @@ async function with_a_thumb() {
   await page.context().close();
 }
 
-await with_a_mouse();
-await with_a_thumb();
+async function from_a_server() {
+  const page = await browser.newPage();
+  await page.addInitScript(() =>
+    Object.defineProperty(navigator, "hardwareConcurrency", { value: 4 }));
+  await page.goto(page_file);
+  await until(page, ({ tick }) => tick > 20);
+  seen.said = await page.locator(".scene-numbers").innerText();
+  await page.getByRole("button", { name: "Start again" }).click(); // the same threads again
+  await until(page, ({ tick }) => tick < 20);
+  await until(page, ({ tick }) => tick > 20);
+}
+
+if (page_file.startsWith("http:")) {
+  await from_a_server();
+} else {
+  await with_a_mouse();
+  await with_a_thumb();
+}
 await browser.close();
 console.log(JSON.stringify(seen));

@@ -202,3 +202,48 @@ test("what a trainer draws", () => {
   assert.ok(simulation.mass(0).real_kg > 0);
   simulation.free();
 });
+
+test("the bits do not depend on threads, whatever is done between runs", async () => {
+  const poses = way(11, 2, 600);
+  const done = async (threads) => {
+    const library = await load(undefined, { threads });
+    assert.equal(library.threads, threads);
+    const held = library.organ(bytes);
+    const options = { needles: [{}, { bending_nm2: 0.02 }] };
+    let simulation = library.simulation(held, options);
+    simulation.run(poses.slice(0, 200));
+    const before = library.exports.memory.buffer.byteLength;
+    const more = Array.from({ length: 30 }, () => simulation.clone()); // memory grows
+    assert.ok(library.exports.memory.buffer.byteLength > before);
+    simulation.free();
+    simulation = more.pop();
+    for (const pose of poses.slice(200, 300)) simulation.tick(pose);
+    const other = library.simulation(held, options); // the same threads help with both
+    other.run(poses.slice(0, 300));
+    assert.equal(simulation.difference(other), null);
+    simulation.restore(other.snapshot());
+    more.forEach((one) => one.free());
+    simulation.run(poses.slice(300, 400));
+    library.end_threads();
+    assert.equal(library.threads, 1);
+    simulation.run(poses.slice(400));
+    return simulation.hash();
+  };
+  const alone = await done(1);
+  assert.equal(await done(2), alone);
+  assert.equal(await done(4), alone);
+});
+
+test("where memory is not shared there is one thread", async () => {
+  globalThis.crossOriginIsolated = false;
+  try {
+    assert.equal((await load(undefined, { threads: 2 })).threads, 1);
+  } finally {
+    delete globalThis.crossOriginIsolated;
+  }
+  const broken = await load(undefined, { threads: 2, shared: new Uint8Array(8) });
+  assert.equal(broken.threads, 1);
+  for (const threads of [0, 1.5, 17, "2"]) {
+    await assert.rejects(load(undefined, { threads }), TypeError);
+  }
+});

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The insertion of the example in C, for a page: its lines as one text.
+// The insertion of the example in C, for a page: its lines as one text, and how many threads there
+// were.
 import { load } from "stylet-wasm";
 
-export async function insertion(bytes) {
-  const stylet = await load();
+export async function insertion(bytes, wanted = 1) {
+  const stylet = await load(undefined, { threads: wanted });
+  const { threads } = stylet;
   const organ = stylet.organ(bytes);
   const { low_m, high_m } = organ.info;
   const simulation = stylet.simulation(organ, { needles: [{ bending_nm2: 0.02 }] });
@@ -22,5 +24,6 @@ export async function insertion(bytes) {
       `${out.force_n[2].toFixed(3).padStart(6)} N`);
     if (tick + 99 === 2100) lines.push(`state ${simulation.hash()}`);
   }
-  return lines.join("\n");
+  stylet.end_threads();
+  return { text: lines.join("\n"), threads };
 }

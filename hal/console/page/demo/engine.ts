@@ -34,7 +34,8 @@ export type ToEngine =|{
   organ: ArrayBuffer;
   needle: Partial<Needle>;
   aim: Aim;
-  byGpu: boolean
+  byGpu: boolean;
+  threads: number  // that may share a tick
 }
 |{
   kind: 'aim';
@@ -50,6 +51,7 @@ export interface Opened {
   build: string;
   edge: number;
   period: number;
+  threads: number;     // that share a tick
   rest: Float32Array;  // of particles
   corners: Uint32Array;
   needle: Needle;
@@ -226,6 +228,7 @@ class Session {
       build: this.library.build,
       edge: info.voxel_edge_m,
       period: this.period,
+      threads: this.library.threads,
       rest,
       corners,
       needle: this.needle,
@@ -354,7 +357,8 @@ function post(message: FromEngine, transfer: Transferable[] = []): void {
   (self as unknown as Worker).postMessage(message, transfer);
 }
 
-export function serve(wasm: Promise<ArrayBuffer>): void {
+// `shared`: address of the library for threads.
+export function serve(wasm: Promise<ArrayBuffer>, shared: string): void {
   self.addEventListener('message', (event: MessageEvent<ToEngine>) => {
     const message = event.data;
     if (message.kind === 'aim') {
@@ -367,7 +371,8 @@ export function serve(wasm: Promise<ArrayBuffer>): void {
     }
     void (async () => {
       try {
-        stylet ??= await load(await wasm);
+        const threads = message.kind === 'open' ? message.threads : 1;
+        stylet ??= await load(wasm, {threads, shared});
         session?.end();
         session = null;
         if (message.kind === 'prove')

@@ -23,6 +23,7 @@ import {kScenes, type Scene} from './scenes';
 
 const kAhead = 0.008;     // m: the tip begins so far before the skin
 const kSlowBelow = 0.95;  // of the time that passes
+const kMostThreads = 4;   // more wait for each other
 const kHints = [
   'Drag along the needle to push it in, and back to draw it out. The right button turns the view.',
   'Move a finger along the needle to push it in, and back to draw it out. Two fingers turn the ' +
@@ -131,7 +132,9 @@ async function begin(): Promise<void> {
   say(hint, kHints[matchMedia('(pointer: coarse)').matches ? 1 : 0]);
   opening = {entry};
   const byGpu = scene.view?.byGpu ?? true;
-  send({kind: 'open', organ: bytes, needle: chosen.needle, aim, byGpu}, [bytes]);
+  // One processor is for the page: a helper that it keeps from running keeps the tick waiting.
+  const threads = Math.max(1, Math.min(kMostThreads, navigator.hardwareConcurrency - 1));
+  send({kind: 'open', organ: bytes, needle: chosen.needle, aim, byGpu, threads}, [bytes]);
 }
 
 let opening: {entry: Vec3} = {entry: [0, 0, 0]};
@@ -141,7 +144,10 @@ engine.addEventListener('message', (event: MessageEvent<FromEngine>) => {
     stopped(message.why);
   } else if (message.kind === 'opened') {
     asked = false;
-    say(steps, `${Math.round(1 / message.period)} ticks a second`);
+    const {threads} = message;
+    say(steps,
+        `${Math.round(1 / message.period)} ticks a second by ${threads} ` +
+            (threads === 1 ? 'thread' : 'threads'));
     store.organ = null;
     store.take(helloOf(message, chosen.name, opening.entry, chosen.direction));
     store.organ = organ;

@@ -16,8 +16,16 @@ export class StyletError extends Error {
 
 /** Bytes of stylet.wasm, a compiled module, a response with it, or its address. */
 export type Source = BufferSource | WebAssembly.Module | Response | URL | string;
-/** Loads the library; without a source, stylet.wasm beside index.mjs. */
-export function load(source?: Source | Promise<Source>): Promise<Stylet>;
+export interface LoadOptions {
+  /** How many share a tick, 1 to 16; 1 without. The bits do not depend on it. */
+  threads?: number;
+  /** stylet-threads.wasm, as `source`; without, that beside index.mjs. */
+  shared?: Source | Promise<Source>;
+}
+/** Loads the library; without a source, stylet.wasm beside index.mjs. More threads than one need
+ * memory that is shared, in a page crossOriginIsolated: else, and where workers are forbidden,
+ * there is one. */
+export function load(source?: Source | Promise<Source>, options?: LoadOptions): Promise<Stylet>;
 
 export interface SimulationOptions {
   /** What differs from the defaults, which Stylet.config() returns. */
@@ -32,6 +40,10 @@ export class Stylet {
   private constructor();
   readonly version: string;
   readonly build: string;
+  /** How many share a tick. They sleep between runs. */
+  readonly threads: number;
+  /** Ends all but the caller's, which then does all by itself. */
+  end_threads(): void;
   status_name(status: number): string;
   event_name(kind: number): string;
   /** The defaults, with what `values` changes. */

@@ -5,152 +5,12 @@
 // Units: SI. Frame: the organ's at rest, right-handed. Arrays of places are Float32Array with x, y,
 // z one after the other. Arrays and objects that a method returns are the caller's.
 import { constants, structs } from "./layout.mjs";
+import { hash_text, Memory, number, StyletError } from "./memory.mjs";
+import { Helpers, may_share } from "./threads.mjs";
 
-export { constants };
+export { constants, StyletError };
 
 const ORGAN = 0, SIMULATION = 1; // what a handle in memory is
-
-/** What the library refused, and why: the fields of stylet_refusal. */
-export class StyletError extends Error {
-  constructor(text, refusal = {}) {
-    super(text);
-    this.name = "StyletError";
-    this.refusal = refusal;
-  }
-}
-
-// ---- memory ------------------------------------------------------------------------------------
-
-const SIZES = { u8: 1, u16: 2, u32: 4, u64: 8, f32: 4, f64: 8, text: 4, char: 1 };
-const size_of = (kind) => SIZES[kind] ?? structs[kind].bytes;
-
-// The library's memory. It may grow in any call that allocates; a view of it is then another.
-class Memory {
-  #view = new DataView(new ArrayBuffer(0));
-  constructor(exports) {
-    this.exports = exports;
-    this.decoder = new TextDecoder();
-  }
-
-  get view() {
-    const { buffer } = this.exports.memory;
-    if (this.#view.buffer !== buffer) this.#view = new DataView(buffer);
-    return this.#view;
-  }
-
-  bytes(at, count) {
-    return new Uint8Array(this.exports.memory.buffer, at, count);
-  }
-
-  allocate(bytes) {
-    if (!Number.isSafeInteger(bytes) || bytes < 0) throw new TypeError(`room for ${bytes} bytes`);
-    const at = this.exports.malloc(Math.max(bytes, 1));
-    if (at === 0) throw new StyletError(`no memory for ${bytes} bytes`);
-    return at;
-  }
-
-  free(at) {
-    this.exports.free(at);
-  }
-
-  // Calls use(address) with room that is zero and freed afterwards.
-  with_room(bytes, use) {
-    const at = this.allocate(bytes);
-    try {
-      this.bytes(at, bytes).fill(0);
-      return use(at);
-    } finally {
-      this.free(at);
-    }
-  }
-
-  text(at, most = 4096) {
-    if (at === 0) return "";
-    const all = this.bytes(at, Math.min(most, this.exports.memory.buffer.byteLength - at));
-    const end = all.indexOf(0);
-    return this.decoder.decode(all.slice(0, end < 0 ? all.length : end));
-  }
-
-  read_one(kind, at, name) {
-    const view = this.view;
-    switch (kind) {
-      case "u8": return view.getUint8(at);
-      case "u16": return view.getUint16(at, true);
-      case "u32": return view.getUint32(at, true);
-      case "u64": {
-        const value = view.getBigUint64(at, true);
-        return name === "hash" ? hash_text(value) : Number(value);
-      }
-      case "f32": return view.getFloat32(at, true);
-      case "f64": return view.getFloat64(at, true);
-      case "text": return this.text(view.getUint32(at, true));
-      case "stylet_vec3": return [0, 4, 8].map((i) => view.getFloat32(at + i, true));
-      default: return this.read(kind, at);
-    }
-  }
-
-  read(struct, at) {
-    const out = {};
-    for (const [name, kind, offset, count] of structs[struct].fields) {
-      if (name === "struct_bytes" || name === "reserved") continue;
-      const place = at + offset;
-      if (kind === "char") out[name] = this.text(place, count);
-      else if (count === 0) out[name] = this.read_one(kind, place, name);
-      else {
-        out[name] = Array.from({ length: count },
-          (_, i) => this.read_one(kind, place + i * size_of(kind), name));
-      }
-    }
-    return out;
-  }
-
-  write_one(kind, at, value, name) {
-    const view = this.view;
-    if (kind === "stylet_vec3") {
-      if (value?.length !== 3) throw new TypeError(`${name}: expected [x, y, z]`);
-      [...value].forEach((v, i) => view.setFloat32(at + 4 * i, number(v, name), true));
-      return;
-    }
-    if (structs[kind]) {
-      this.write(kind, at, value, name);
-      return;
-    }
-    const v = number(value, name);
-    switch (kind) {
-      case "f32": view.setFloat32(at, v, true); break;
-      case "f64": view.setFloat64(at, v, true); break;
-      default: {
-        if (!Number.isInteger(v) || v < 0 || v >= 2 ** (8 * SIZES[kind])) {
-          throw new TypeError(`${name}: ${v}: expected a whole number from 0 on`);
-        }
-        if (kind === "u8") view.setUint8(at, v);
-        else if (kind === "u16") view.setUint16(at, v, true);
-        else view.setUint32(at, v, true);
-      }
-    }
-  }
-
-  // Writes the fields that `values` has; the others stay.
-  write(struct, at, values, where = struct) {
-    const fields = structs[struct].fields;
-    for (const [name, value] of Object.entries(values)) {
-      const field = fields.find((f) => f[0] === name);
-      if (!field || name === "struct_bytes" || name === "reserved" || field[1] === "text") {
-        throw new TypeError(`${where} has no field ${name}`);
-      }
-      const [, kind, offset, count] = field;
-      if (count === 0) {
-        this.write_one(kind, at + offset, value, `${where}.${name}`);
-        continue;
-      }
-      if (!(value?.length <= count)) {
-        throw new TypeError(`${where}.${name}: expected an array of at most ${count}`);
-      }
-      [...value].forEach((one, i) =>
-        this.write_one(kind, at + offset + i * size_of(kind), one, `${where}.${name}[${i}]`));
-    }
-  }
-}
 
 // The bytes of an ArrayBuffer, or of a view of one.
 function bytes_of(value, name) {
@@ -171,15 +31,6 @@ function list_of(value, most, name) {
   }
   return value;
 }
-
-function number(value, name) {
-  if (typeof value !== "number" && typeof value !== "boolean") {
-    throw new TypeError(`${name}: expected a number`);
-  }
-  return Number(value);
-}
-
-const hash_text = (value) => BigInt.asUintN(64, value).toString(16).padStart(16, "0");
 
 // Numbers that the library holds and the page must give back. What is forgotten goes with its page;
 // what the collector finds unused is freed.
@@ -211,15 +62,36 @@ class Handle {
 
 // ---- the library -------------------------------------------------------------------------------
 
+const PAGES = { initial: 256, maximum: 16384, shared: true }; // of 64 KiB: 1 GiB at most
+
 /** Loads the library: `source` is the bytes of stylet.wasm, a compiled module, a Response or its
- * address; without it, the file beside this one. */
-export async function load(source = new URL("./stylet.wasm", import.meta.url)) {
-  const module = await module_of(await source);
+ * address; without it, the file beside this one. With more threads than one `shared` is loaded
+ * instead, stylet-threads.wasm, if threads may share memory here; else there is one thread. */
+export async function load(source = new URL("./stylet.wasm", import.meta.url),
+  { threads = 1, shared = new URL("./stylet-threads.wasm", import.meta.url) } = {}) {
+  if (!Number.isInteger(threads) || threads < 1 || threads > constants.MAX_HELPERS + 1) {
+    throw new TypeError(`threads: ${threads}: expected 1 to ${constants.MAX_HELPERS + 1}`);
+  }
+  if (threads > 1 && may_share()) {
+    try {
+      const module = await module_of(await shared);
+      const memory = new WebAssembly.Memory(PAGES);
+      const exports = await instantiate(module, memory);
+      const helpers = await Helpers.start(threads - 1, module, memory, exports);
+      return new Stylet(exports, helpers);
+    } catch {
+      // A page may forbid workers, a machine lack room: `threads` of the library tells.
+    }
+  }
+  return new Stylet(await instantiate(await module_of(await source)));
+}
+
+// The exports of a new instance, and its memory.
+async function instantiate(module, shared) {
   const wasi = { proc_exit: (code) => { throw new StyletError(`the library ended (${code})`); } };
-  let library;
+  let memory;
   const texts = [];
   wasi.fd_write = (_fd, list, count, written) => { // what an assertion says before it ends
-    const { memory } = library;
     let sum = 0;
     for (let i = 0; i < count; ++i) {
       const at = memory.view.getUint32(list + 8 * i, true);
@@ -234,11 +106,12 @@ export async function load(source = new URL("./stylet.wasm", import.meta.url)) {
   wasi.fd_close = wasi.fd_seek = () => 0;
   const instance = await WebAssembly.instantiate(module, {
     wasi_snapshot_preview1: wasi,
-    env: { emscripten_notify_memory_growth: () => {} },
+    env: { emscripten_notify_memory_growth: () => {}, memory: shared },
   });
-  library = new Stylet(instance.exports);
-  instance.exports._initialize();
-  return library;
+  const exports = shared ? { ...instance.exports, memory: shared } : instance.exports;
+  memory = new Memory(exports);
+  exports._initialize();
+  return exports;
 }
 
 async function module_of(source) {
@@ -261,9 +134,22 @@ async function module_of(source) {
 }
 
 export class Stylet {
-  constructor(exports) {
+  #helpers;
+  constructor(exports, helpers = null) {
     this.exports = exports;
     this.memory = new Memory(exports);
+    this.#helpers = helpers;
+  }
+
+  /** How many share a tick. */
+  get threads() {
+    return 1 + (this.#helpers?.count ?? 0);
+  }
+
+  /** Ends all threads but the caller's, which then does all by itself. */
+  end_threads() {
+    this.#helpers?.end();
+    this.#helpers = null;
   }
 
   get version() {
@@ -354,6 +240,11 @@ export class Stylet {
   }
 
   // ---- for Organ and Simulation
+
+  // Calls run(), which ticks a simulation, with the help of all threads.
+  together(simulation, run) {
+    return this.#helpers ? this.#helpers.during(simulation, run) : run();
+  }
 
   // Calls use(address) with the struct's defaults and `values`.
   with_struct(struct, init, values, use) {
@@ -516,6 +407,9 @@ export class Simulation {
     this.organ = organ;
     this.handle = new Handle(library, SIMULATION, handle);
     this.needles = library.exports.stylet_simulation_needles(handle);
+    if (library.threads > 1) {
+      library.check(library.exports.stylet_simulation_set_helpers(handle, library.threads - 1));
+    }
   }
 
   /** One tick: poses[i] = { position_m, rotation } moves needle i, null leaves it (and counts).
@@ -537,7 +431,8 @@ export class Simulation {
       for (let i = 0; i < ticks.length * n; ++i) {
         memory.view.setUint32(outs + i * output, output, true);
       }
-      library.check(exports.stylet_simulation_run(this.handle.at, room, outs, ticks.length));
+      library.check(library.together(this.handle.at, () =>
+        exports.stylet_simulation_run(this.handle.at, room, outs, ticks.length)));
       const from = last ? ticks.length - 1 : 0;
       return Array.from({ length: ticks.length - from }, (_, t) =>
         Array.from({ length: n }, (_, i) =>
