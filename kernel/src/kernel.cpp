@@ -286,10 +286,9 @@ bool bound_coarse(Model& model, const Counts& counts, float limit) {
   for (std::uint32_t z = 0; z <= counts.planes; ++z) {
     const Plane& plane = model.plane[z];
     for (std::uint32_t i = plane.particle_begin; i < plane.particle_end; ++i) {
-      model.step_per_mass[i] =
-          plane.level > 0
-              ? 0
-              : model.bound[i] + model.hourglass_n_per_m[i] / model.head->hourglass_weight;
+      model.step_per_mass[i] = plane.level > 0 ? 0
+                                               : model.bound[i] + model.hourglass_n_per_m[i] /
+                                                                      model.head->hourglass_weight;
     }
   }
   return true;

@@ -507,7 +507,7 @@ TEST(Graded, RefusedWithTheirPlace) {
   EXPECT_EQ(refusal_of(hang({3, 0, 5, 1, 0, 0})),
             "levels.hanging[3]: a node and a voxel of the lattice");
   const char* const off_surface =
-      "levels.hanging[3]: a node on the surface of a voxel of a coarser level";
+      "levels.hanging[3]: a node on the surface of a voxel of the next coarser level";
   EXPECT_EQ(refusal_of(hang({3, 0, 5, 0, 0, 1})), off_surface);
   EXPECT_EQ(refusal_of(hang({3, 0, 5, 1, 1, 1})), off_surface);
   EXPECT_EQ(refusal_of(hang({3, 0, 5, 2, 0, 4})), off_surface);

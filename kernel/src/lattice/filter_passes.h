@@ -122,7 +122,8 @@ Wave wave_in(const Model& model, float* memory) {
 
 GradedWave graded_wave_in(const Model& model, float* memory) {
   const auto floats = static_cast<std::ptrdiff_t>(model.head->counts.tile_floats);
-  const std::ptrdiff_t all = static_cast<std::ptrdiff_t>(model.head->counts.coarse_tiles) * kTileFloats;
+  const std::ptrdiff_t all =
+      static_cast<std::ptrdiff_t>(model.head->counts.coarse_tiles) * kTileFloats;
   float* const sends = memory + kGradedArrays * all;
   float* const work = sends + (kGradedPlanes - 1) * floats;
   return {memory, memory + all, memory + 2 * all, sends, work, work + floats,

@@ -85,8 +85,8 @@ std::uint32_t node_at_place(const Plan& plan, const LevelPlace& at) {
   }
   const GhostNode* const first = plan.model.ghost;
   const std::uint32_t count = plan.ghosts.ghost_begin[kMaxLevels] - plan.ghosts.border_end;
-  const GhostNode* const found = std::lower_bound(first, first + count, ghost_at(plan.organ, at),
-                                                  comes_before<GhostNode>);
+  const GhostNode* const found =
+      std::lower_bound(first, first + count, ghost_at(plan.organ, at), comes_before<GhostNode>);
   return plan.ghosts.border_end + static_cast<std::uint32_t>(found - first);
 }
 
@@ -113,7 +113,9 @@ void fill_nodes(Plan& plan) {
   border = static_cast<std::uint32_t>(std::unique(first, first + border) - first);
   GhostNode* const ghost = plan.model.ghost;
   std::sort(ghost, ghost + ghosts, comes_before<GhostNode>);
-  const auto same = [](const GhostNode& a, const GhostNode& b) { return order_of(a) == order_of(b); };
+  const auto same = [](const GhostNode& a, const GhostNode& b) {
+    return order_of(a) == order_of(b);
+  };
   ghosts = static_cast<std::uint32_t>(std::unique(ghost, ghost + ghosts, same) - ghost);
   g.border_end = g.border_begin + border;
   for (std::uint32_t i = 0; i < border; ++i) {
@@ -323,7 +325,7 @@ struct Mean {
 };
 
 // The particle that a node of the cascade is; of a ghost, none.
-const std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 std::uint32_t particle_of_node(const Plan& plan, std::uint32_t node) {
   const Ghosts& g = plan.ghosts;
   if (node < g.border_begin) return g.first_particle + node;
@@ -455,7 +457,8 @@ void fill_level(Plan& plan, std::uint32_t level, float limit_per_s2) {
   for_each([&](std::uint32_t i) {
     if (moves(i)) model.cascade_mobility[i] += own * model.cascade_kg[i];
   });
-  for (float* of_nodes : {&model.cascade_kg[0], &model.cascade_mobility[0], &model.cascade_bound[0]}) {
+  for (float* of_nodes :
+       {&model.cascade_kg[0], &model.cascade_mobility[0], &model.cascade_bound[0]}) {
     add_down(plan, level, of_nodes);
   }
   for_each([&](std::uint32_t i) {
@@ -479,14 +482,21 @@ float own_kg(const Model& model, std::uint32_t particle) {
   return is_free(model, particle) ? model.head->substep_s / model.step_per_mass[particle] : 0;
 }
 
+void fill_own_kg(Plan& plan) {
+  Model& model = plan.model;
+  for (std::uint32_t i = 0; i < model.head->counts.cascade; ++i) {
+    const std::uint32_t particle = particle_of_node(plan, i);
+    model.cascade_kg[i] = particle == kNone ? 0 : own_kg(model, particle);
+  }
+}
+
 void fill_coarse(Plan& plan, float limit_per_s2) {
   Model& model = plan.model;
   ModelHead& head = *model.head;
   Ghosts& g = plan.ghosts;
   float fastest = 0;
-  for_each_voxel_of(plan, 0, [&](const AnyCell& cell) {
-    fastest = max_of(fastest, cell.fastest_per_s2);
-  });
+  for_each_voxel_of(plan, 0,
+                    [&](const AnyCell& cell) { fastest = max_of(fastest, cell.fastest_per_s2); });
   for (std::uint32_t i = 0; i < g.coarse_cells; ++i) {
     GhostCell& cell = model.ghost_cell[i];
     fastest = max_of(fastest, cell.fastest_per_s2);
@@ -546,18 +556,11 @@ void fill_ghosts(const Organ& organ, Model& model, float limit_per_s2) {
   fill_nodes(plan);
   fill_shares_of_levels(plan);
   fill_cells(plan);
-  for (std::uint32_t i = 0; i < g.border_begin; ++i) {
-    model.cascade_kg[i] = own_kg(model, g.first_particle + i);
-  }
-  const auto border_kg = [&](std::uint32_t i) {
-    return own_kg(model, model.border[i - g.border_begin]);
-  };
-  for (std::uint32_t i = g.border_begin; i < g.border_end; ++i) model.cascade_kg[i] = border_kg(i);
+  fill_own_kg(plan);
   const float each = limit_per_s2 / static_cast<float>(organ.levels + 1);
   for (std::uint32_t level = organ.levels - 1U; level > 0; --level) fill_level(plan, level, each);
   fill_coarse(plan, coarse_limit_per_s2(limit_per_s2, organ.levels));
-  for (std::uint32_t i = g.border_begin; i < g.border_end; ++i) model.cascade_kg[i] = border_kg(i);
-  for (std::uint32_t i = g.border_end; i < model.head->counts.cascade; ++i) model.cascade_kg[i] = 0;
+  fill_own_kg(plan);
   count_shares(model.up_share, model.up_share + g.up_begin[kMaxLevels]);
   count_shares(model.down_share, model.down_share + g.down_begin[0]);
 }

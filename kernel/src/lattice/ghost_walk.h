@@ -28,10 +28,12 @@ struct LevelPlace {
 inline LevelPlace place_in_level(const Organ& organ, const LatticePlace& at) {
   const std::uint32_t level = level_of(organ.level_planes, at.z);
   const std::uint32_t y = line_in_space(organ, at.y);
-  return {level, (at.y - y) / organ.sheet_rows, at.x, y, at.z - first_plane(organ.level_planes, level)};
+  return {level, (at.y - y) / organ.sheet_rows, at.x, y,
+          at.z - first_plane(organ.level_planes, level)};
 }
 inline LatticePlace place_in_lattice(const Organ& organ, const LevelPlace& at) {
-  return {at.x, at.y + at.sheet * organ.sheet_rows, at.z + first_plane(organ.level_planes, at.level)};
+  return {at.x, at.y + at.sheet * organ.sheet_rows,
+          at.z + first_plane(organ.level_planes, at.level)};
 }
 
 // Whether a row of a level is within its space.
@@ -52,8 +54,7 @@ inline bool has_voxel_in(const Organ& organ, const LevelPlace& cell, std::uint32
   for (std::uint32_t row = 0; row < rows; ++row) {
     const std::uint32_t y = cell.y * ratio + row % ratio, z = cell.z * ratio + row / ratio;
     if (!has_row(organ, level, y, z)) continue;
-    const LatticePlace at =
-        place_in_lattice(organ, {level, cell.sheet, cell.x * ratio, y, z});
+    const LatticePlace at = place_in_lattice(organ, {level, cell.sheet, cell.x * ratio, y, z});
     if (has_voxel(organ, {at.x, at.x + ratio}, at.y, at.z)) return true;
   }
   return false;

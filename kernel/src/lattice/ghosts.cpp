@@ -28,8 +28,8 @@ void move_own(const Model& model, std::uint32_t begin, std::uint32_t end, float 
   }
 }
 
-// Border nodes that are several nodes of level 0: so many of a tile's groups of lanes. (In the third
-// group, bounds have those of voxels.)
+// Border nodes that are several nodes of level 0: so many of a tile's groups of lanes. (In the
+// third group, bounds have those of voxels.)
 void copy_tied(const Model& model, float* in_tiles, std::uint32_t groups) {
   for (std::uint32_t z = 0; z < model.head->ghosts.coarse_planes; ++z) {
     const Plane& plane = model.plane[z];
@@ -69,8 +69,8 @@ void give_down(const Model& model, const State& state, const Scratch& scratch, F
   const Ghosts& g = model.head->ghosts;
   const auto momentum = [&](std::uint32_t node, std::uint32_t p) {
     const float kg = model.cascade_kg[node];
-    all[node] = Four{kg * state.wx[p], kg * state.wy[p], kg * state.wz[p],
-                     scratch.coupling_bound[p]};
+    all[node] =
+        Four{kg * state.wx[p], kg * state.wy[p], kg * state.wz[p], scratch.coupling_bound[p]};
   };
   for (std::uint32_t i = 0; i < g.border_begin; ++i) momentum(i, g.first_particle + i);
   for (std::uint32_t i = g.border_begin; i < g.border_end; ++i) {

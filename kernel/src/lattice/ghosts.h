@@ -14,15 +14,15 @@
 // that of f, exactly. A constant velocity stays what it is: at a ghost of level 0 the mobility is
 // less by what finer levels add.
 //
-// Stability: the largest eigenvalue of a sum is at most the sum of theirs. Half of the limit or more
-// is level 0's, the others share the rest. A cell's bound b (filter.h) as a form of the corners of
-// the cell that holds it is at most half of theirs with twice b: eight children with the same b
-// give exactly that, and a child that is missing or softer gives less. Where a cell's corners do
-// not follow from those of the cell that holds it (attached and tied nodes), its bound goes to the
-// nodes below by their weights.
+// Stability: the largest eigenvalue of a sum is at most the sum of theirs. Half of the limit or
+// more is level 0's, the others share the rest. A cell's bound b (filter.h) as a form of the
+// corners of the cell that holds it is at most half of theirs with twice b: eight children with the
+// same b give exactly that, and a child that is missing or softer gives less. Where a cell's
+// corners do not follow from those of the cell that holds it (attached and tied nodes), its bound
+// goes to the nodes below by their weights.
 //
 // Promises: no allocation; a fixed number of operations in a fixed order, the same on every
-// instruction set. PHYSICS 3.4.
+// instruction set. PHYSICS 3.5.
 #pragma once
 
 #include "state/layout.h"

@@ -9,8 +9,8 @@
 // list has the coarse ones first.
 //
 // A hanging node has a mobility (step over mass) like every particle, so the sweep treats it like
-// one; what it gets so passes on to its masters, scaled by the mobilities. Which one it has does not
-// matter but for rounding. It is so small that the node's momentum is not bounded
+// one; what it gets so passes on to its masters, scaled by the mobilities. Which one it has does
+// not matter but for rounding. It is so small that the node's momentum is not bounded
 // (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard.
 //
 // Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 2.9.

@@ -323,8 +323,8 @@ void sweep_planes(const Model& model, State& state, Scratch& scratch, Part& part
   part.high = up ? here : part.kept;
 }
 
-// The more a short wave is slowed, the more of its momentum goes into no velocity: with the bound of
-// seven passes, tissue of several levels that was crushed lost so much that it gained energy.
+// The more a short wave is slowed, the more of its momentum goes into no velocity: with the bound
+// of seven passes, tissue of several levels that was crushed lost so much that it gained energy.
 Motion start_motion(const ModelHead& head) {
   const float fastest =
       kMaxEdgesPerSubstep * head.level[head.counts.levels - 1].edge_m / head.substep_s;

@@ -192,32 +192,34 @@ void count_tiles(const Organ& organ, Counts& counts_io) {
                    count_plane<2>({here, below}, counts_io);
                    if (i < counts_io.planes) count_plane<1>({here}, counts_io);
                    ++counts_io.tiles;  // an empty one behind each plane's
-                   if (level_of(organ.level_planes, z) == 0) counts_io.coarse_tiles = counts_io.tiles;
+                   if (level_of(organ.level_planes, z) == 0)
+                     counts_io.coarse_tiles = counts_io.tiles;
                  });
   counts_io.filtered_ties = counts_io.ties;
   counts_io.tile_floats = (counts_io.tile_floats + kLanes - 1) / kLanes * kLanes;
   const std::uint64_t coarse = std::uint64_t{counts_io.coarse_tiles} * kTileFloats;
   counts_io.filter_floats =
-      (counts_io.levels > 1 ? kGradedArrays * coarse +
-                                  std::uint64_t{kGradedPlanes} * counts_io.tile_floats +
-                                  ghost_floats(counts_io)
-                            : std::uint64_t{kFilterArrays} * counts_io.tile_floats) +
+      (counts_io.levels > 1
+           ? kGradedArrays * coarse + std::uint64_t{kGradedPlanes} * counts_io.tile_floats +
+                 ghost_floats(counts_io)
+           : std::uint64_t{kFilterArrays} * counts_io.tile_floats) +
       std::uint64_t{3} * counts_io.particles_per_plane;
 }
 
 void fill_tiles(const Organ& organ, Model& model) {
   const std::uint32_t planes = model.head->counts.planes;
   std::uint32_t next = 0;
-  for_each_plane(organ, planes, [&](std::uint32_t i, Runs below, Runs here, Runs above, std::uint32_t) {
-    Plane& plane = model.plane[i];
-    plane.tiles.node = next;
-    fill_nodes(below, here, model, next);
-    plane.tiles.voxel = next;
-    if (i < planes) fill_voxels(below, here, above, model, next);
-    plane.tiles.end = next++;  // an empty one: the passes read one ahead
-    fill_ready(plane.tiles, model);
-    fill_ties(plane, model);
-  });
+  for_each_plane(organ, planes,
+                 [&](std::uint32_t i, Runs below, Runs here, Runs above, std::uint32_t) {
+                   Plane& plane = model.plane[i];
+                   plane.tiles.node = next;
+                   fill_nodes(below, here, model, next);
+                   plane.tiles.voxel = next;
+                   if (i < planes) fill_voxels(below, here, above, model, next);
+                   plane.tiles.end = next++;  // an empty one: the passes read one ahead
+                   fill_ready(plane.tiles, model);
+                   fill_ties(plane, model);
+                 });
 }
 
 }  // namespace stylet

@@ -70,8 +70,8 @@ bool hangs(const Organ& organ, std::uint32_t x, std::uint32_t y, std::uint32_t z
 bool is_on_surface(const Organ& organ, const OrganHanging& h) {
   const std::uint32_t planes = organ.level_planes;
   const std::uint32_t own = level_of(planes, h.z), other = level_of(planes, h.voxel_z);
-  if (own <= other) return false;
-  const std::uint32_t ratio = 1U << (own - other);
+  if (own != other + 1) return false;
+  const std::uint32_t ratio = 2;
   const std::uint32_t node[3] = {h.x, line_in_space(organ, h.y), h.z - first_plane(planes, own)};
   const std::uint32_t voxel[3] = {h.voxel_x, line_in_space(organ, h.voxel_y),
                                   h.voxel_z - first_plane(planes, other)};
@@ -96,7 +96,7 @@ bool check_hanging(Checker& check, const Organ& organ) {
                        Status::kOrganIndexOutOfRange, "levels.hanging", i, h.x,
                        "a node and a voxel of the lattice") ||
         !check.require(is_on_surface(organ, h), Status::kOrganIndexOutOfRange, "levels.hanging", i,
-                       h.x, "a node on the surface of a voxel of a coarser level") ||
+                       h.x, "a node on the surface of a voxel of the next coarser level") ||
         !check.require(!is_tied(organ, h), Status::kOrganOrderWrong, "levels.hanging", i, h.x,
                        "a node that is not tied")) {
       return false;

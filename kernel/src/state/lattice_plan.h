@@ -60,10 +60,10 @@ struct HangingShare {
 
 // A cell of some level in which there are finer voxels (lattice/ghosts.h).
 struct GhostCell {
-  std::uint32_t node[8];      // of the cascade, at its corners (bits x, y, z)
-  float bound_n_per_m;        // of its stiffness at each corner; of level 0, over 8
-  float fastest_per_s2;       // of its motions, if it were full
-  std::uint16_t x, y, z;      // as in the file
+  std::uint32_t node[8];  // of the cascade, at its corners (bits x, y, z)
+  float bound_n_per_m;    // of its stiffness at each corner; of level 0, over 8
+  float fastest_per_s2;   // of its motions, if it were full
+  std::uint16_t x, y, z;  // as in the file
 };
 struct GhostNode {
   std::uint16_t x, y, z;  // as in the file
@@ -71,9 +71,9 @@ struct GhostNode {
 // The cascade of a graded lattice: its nodes are the particles of all levels above 0, then those of
 // level 0 at ghost cells (the border), then the ghosts of level 0, 1, ...
 struct Ghosts {
-  std::uint32_t on;                       // 0: no motion is faster than the step can follow
-  std::uint32_t first_particle;           // of the levels above 0
-  std::uint32_t coarse_planes;            // planes of particles of level 0
+  std::uint32_t on;                           // 0: no motion is faster than the step can follow
+  std::uint32_t first_particle;               // of the levels above 0
+  std::uint32_t coarse_planes;                // planes of particles of level 0
   std::uint32_t fine_begin[kMaxLevels + 1];   // nodes: a level's particles
   std::uint32_t border_begin, border_end;     // nodes
   std::uint32_t ghost_begin[kMaxLevels + 1];  // nodes: a level's ghosts
