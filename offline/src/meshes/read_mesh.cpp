@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "base/file.h"
-#include "meshes/mesh_text.h"
+#include "meshes/reader.h"
 
 namespace stylet::offline {
 namespace {
@@ -21,6 +21,15 @@ std::string listed_endings(std::string_view between, std::string_view last) {
   return text;
 }
 
+const MeshFormat* format_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto* const format =
+      std::find_if(std::begin(kMeshFormats), std::end(kMeshFormats),
+                   [&](const MeshFormat& each) { return each.ending == extension; });
+  return format == std::end(kMeshFormats) ? nullptr : format;
+}
+
 }  // namespace
 
 std::string mesh_endings() {
@@ -28,17 +37,13 @@ std::string mesh_endings() {
 }
 
 ReadMesh read_mesh(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto* const format =
-      std::find_if(std::begin(kMeshFormats), std::end(kMeshFormats),
-                   [&](const MeshFormat& each) { return each.ending == extension; });
-  if (format == std::end(kMeshFormats)) {
-    refuse("{}: '{}': expected a mesh file ending in {}", path.string(), extension,
+  const MeshFormat* const format = format_of(path);
+  if (format == nullptr) {
+    refuse("{}: '{}': expected a mesh file ending in {}", path.string(), path.extension().string(),
            listed_endings(", ", " or "));
   }
   const std::string bytes = read_file(path);
-  ReadMesh result = format->read(path.string(), bytes);
+  ReadMesh result = read_with(*format, path.string(), bytes);
   result.sha256 = sha256_hex(bytes);
   return result;
 }

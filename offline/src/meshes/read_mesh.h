@@ -8,6 +8,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct ReadCounts {
 struct ReadMesh {
   Mesh mesh;
   ReadCounts counts;
-  std::string sha256;  // of the file's bytes, hexadecimal
+  std::string sha256;                          // of the file's bytes, hexadecimal
+  std::optional<double> metres_per_unit = {};  // if the file says so
+  std::vector<std::string> notes = {};  // what the user is told as warnings: of parts left out, say
 };
 
 ReadMesh read_mesh(const std::filesystem::path& path);
