@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What holds of every reader of meshes, whatever it does wrong: readers that no format has are
-// called as read_mesh calls those of the list.
+// called as read_mesh calls those of the list. And what is said of the units of meshes.
 #include <gmock/gmock.h>
 
 #include <new>
@@ -10,6 +10,8 @@
 #include "meshes/lines.h"
 #include "meshes/reader.h"
 #include "offline_support.h"
+#include "pipeline/membranes.h"
+#include "pipeline/settings.h"
 
 namespace stylet::test {
 namespace {
@@ -142,6 +144,78 @@ TEST(BinaryFile, IntegersHaveARange) {
   Bytes bytes{.bytes = raw, .file = "a", .next = 1};
   EXPECT_EQ(refusal_of([&] { (void)offline::next_integer<std::uint8_t>(bytes, 6, 9, "a key"); }),
             "a: byte 1: 5: expected a key from 6 to 9");
+}
+
+// ---- units --------------------------------------------------------------------------------------
+
+TEST(UnitOfAMesh, IsTheUsersOrTheFilesOrMillimetres) {
+  ReadMesh silent, inches;
+  inches.metres_per_unit = 0.0254;
+  EXPECT_EQ(take_metres(silent, "a", {}), 1e-3);
+  EXPECT_EQ(take_metres(silent, "a", {.given_m = 1, .scale = 2}), 2);
+  EXPECT_EQ(take_metres(inches, "a", {.scale = 2}), 0.0508);
+  EXPECT_EQ(take_metres(inches, "a", {.given_m = 0.0254000001}), 0.0254000001);
+  EXPECT_THAT(inches.notes, ElementsAre());
+  EXPECT_EQ(take_metres(inches, "a", {.given_m = 1e-3}), 1e-3);
+  EXPECT_THAT(inches.notes,
+              ElementsAre("a: its unit is 0.0254 m, as it says, but --units makes it 0.001 m"));
+  EXPECT_THAT(silent.notes, ElementsAre());
+}
+
+TEST(UnitOfAMesh, IsInTheOrganIfTheUserGaveIt) {
+  const auto text = [](const std::string& given, std::optional<double> said) {
+    offline::Input input;
+    input.path = "a.bad";
+    input.tissue = "gel";
+    input.read.metres_per_unit = said;
+    offline::BuildOptions options;
+    offline::Settings settings;
+    settings.units = given;
+    choose_for_meshes(settings, {input}, options);
+    return options.options_text;
+  };
+  EXPECT_EQ(text("", {}), " --units mm --scale 1 --capsule none");
+  EXPECT_EQ(text("", 1.0), " --scale 1 --capsule none");
+  EXPECT_EQ(text("inch", 1.0), " --units inch --scale 1 --capsule none");
+  offline::Settings settings;
+  settings.units = "inch";
+  settings.scale = 3;
+  EXPECT_EQ(offline::units_of(settings).given_m, 0.0254);
+  EXPECT_EQ(offline::units_of(settings).scale, 3);
+  EXPECT_EQ(offline::units_of({}).given_m, std::nullopt);
+}
+
+TEST(UnitOfAMesh, MakesNoPointThatLiesFartherThanTenKilometres) {
+  const auto scaled = [](double x, std::uint32_t corner) {
+    offline::Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -x, 0}}, {{0, 1, corner}}};
+    return refusal_of([&] {
+      scale_to_metres(mesh, "a.off", 1e-3);
+      EXPECT_EQ(mesh.points[1].x, 1e-3);
+    });
+  };
+  EXPECT_EQ(scaled(1e7, 3), "");
+  EXPECT_EQ(scaled(1e300, 2), "");  // no triangle uses it
+  for (const char* far : {"1.1e+07", "1e+290", "1e+300"}) {
+    EXPECT_EQ(scaled(std::stod(far), 3),
+              "a.off: point 4 of 4: (0, -" + std::string(far) +
+                  ", 0) in units of 0.001 m: expected coordinates up to 10000 m; check --units and "
+                  "--scale");
+  }
+}
+
+// What readers say of the meshes that are built, that hold the organ and that lie in it.
+TEST(NotesOfReaders, AreWarningsOfTheBuild) {
+  offline::Input input = input_of(box_mesh({0, 0, 0}, {1e-2, 1e-2, 1e-2}), 1);
+  input.read.notes = {"of the input"};
+  offline::BuildOptions options;
+  options.voxel_edge_m = 5e-3;
+  options.held = offline::parse_regions({"z<10%"}, {});
+  options.held.front().notes = {"of the region"};
+  options.membranes = offline::parse_membranes({"x=5:fascia"}, {});
+  options.membranes.front().notes = {"of the membrane"};
+  const offline::Built built = build_quietly({input}, options);
+  EXPECT_THAT(built.report.warnings,
+              testing::IsSupersetOf({"of the input", "of the region", "of the membrane"}));
 }
 
 }  // namespace
