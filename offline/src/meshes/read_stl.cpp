@@ -63,9 +63,8 @@ ReadMesh read_binary(std::string_view file, std::string_view bytes) {
     skip_bytes(in, kNormalBytes, kMore);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Place start = place_of(in);
-      const double x = next<float>(in, kMore), y = next<float>(in, kMore),
-                   z = next<float>(in, kMore);
-      add_point(collector, Vec{x, y, z}, start);
+      const auto coordinate = [&] { return static_cast<double>(next<float>(in, kMore)); };
+      add_point(collector, Vec{coordinate(), coordinate(), coordinate()}, start);
     }
     skip_bytes(in, kAttributeBytes, kMore);
     add_polygon(collector, std::array{first, first + 1, first + 2}, place);
