@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Finds lines and branches of kernel/src or offline/src that no test reaches, except those listed in
-# coverage_exceptions.txt and coverage_exceptions_offline.txt beside this script. There are none, as
-# the tests coverage.kernel and coverage.offline check.
+# Finds lines and branches of kernel/src or offline/src that no test reaches. Left out are those in
+# coverage_exceptions.txt and coverage_exceptions_offline.txt beside this script, with reasons.
+# There are no others, as the tests coverage.kernel and coverage.offline check.
 # Prints the totals and what is missing, and exits 0 if nothing is missing.
 #
 # usage: coverage.sh [kernel|offline]      (default: kernel)

@@ -110,7 +110,8 @@ MESH_READERS = [f"meshes/{reader}" for reader in re.findall(
     r"^STYLET_MESH_READER\(\w+, (\w+)\)", (SOURCE / "offline/src/meshes/readers.inc").read_text(),
     re.M)]
 OFFLINE = {
-    **dict.fromkeys(("meshes/read_mesh", "meshes/mesh_text", *MESH_READERS), MESHES),
+    **dict.fromkeys(("meshes/read_mesh", "meshes/bytes", "meshes/lines", "meshes/reader",
+                     *MESH_READERS), MESHES),
     **dict.fromkeys(("maps/header", "maps/itk", "maps/bzip2", "maps/whole"), EVERY_FRAME),
     "maps/label_map": [*EVERY_FRAME, DICOM["Segmentations"], DICOM["RegularSeries"]],
     **dict.fromkeys(("maps/nrrd_header", "maps/nrrd_frame"), FRAMES["Nrrd"]),

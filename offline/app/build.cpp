@@ -45,7 +45,7 @@ Input parse_input(const std::string& text) {
 void run_build_labels(const BuildArguments& a) {
   if (a.inputs.size() != 1) refuse("--recipe: {} inputs: expected one label map", a.inputs.size());
   const std::string& path = a.inputs.front();
-  BuildOptions options = limited_options(a, 1e-3);
+  BuildOptions options = limited_options(a, {});
   (void)read_file(a.recipe);  // refuses a missing recipe before the minute that a map may take
   const LabelMap map = read_label_map(path);
   const Recipe recipe = read_recipe(a.recipe, {path, map.names});
@@ -60,20 +60,22 @@ void run_build_labels(const BuildArguments& a) {
 void run_build(const BuildArguments& a) {
   if (!a.recipe.empty()) return run_build_labels(a);
   for (const std::string& input : a.inputs) {
-    if (is_label_map(input)) refuse("{}: this is a label map: expected --recipe with it", input);
+    // A folder may have a mesh's name; read_mesh then says that it is a folder.
+    if (!is_mesh_name(input) && is_label_map(input))
+      refuse("{}: this is a label map: expected --recipe with it", input);
   }
   constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {
     refuse("--scale {}: expected {} to {}", a.scale, kLeastScale, kMostScale);
   }
-  const double metres_per_unit = kMetresPerUnit.at(a.units) * a.scale;
-  BuildOptions options = limited_options(a, metres_per_unit);
+  const MeshUnits units = units_of(a);
+  BuildOptions options = limited_options(a, units);
   std::vector<Input> inputs;
   for (const std::string& text : a.inputs) {
-    inputs.push_back(parse_input(text));
-    (void)find_tissue(options.own_tissues, inputs.back().tissue);
-    inputs.back().metres_per_unit = metres_per_unit;
-    inputs.back().read = read_mesh(inputs.back().path);
+    Input& input = inputs.emplace_back(parse_input(text));
+    (void)find_tissue(options.own_tissues, input.tissue);
+    input.read = read_mesh(input.path);
+    input.metres_per_unit = take_metres(input.read, input.path, units);
   }
   choose_for_meshes(a, inputs, options);
   Outputs outputs;
@@ -103,10 +105,9 @@ void add_build(CLI::App& app) {
                        "one label map")
       ->type_name("FILE")
       ->required();
-  command->add_option("--units", a.units, "Unit of the meshes")
+  command->add_option("--units", a.units, "Unit of the meshes (default: their own, else mm)")
       ->type_name("UNIT")
-      ->check(CLI::IsMember(kMetresPerUnit))
-      ->capture_default_str();
+      ->check(CLI::IsMember(kMetresPerUnit));
   command->add_option("--scale", a.scale, "Factor for all coordinates, besides the unit")
       ->type_name("NUMBER")
       ->capture_default_str();

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -25,9 +24,6 @@ struct FileArguments {
   std::string file;
   bool json = false;
 };
-
-inline const std::map<std::string, double> kMetresPerUnit{
-    {"mm", 1e-3}, {"cm", 1e-2}, {"dm", 1e-1}, {"m", 1.0}};
 
 // Prints each warning on a line of standard error.
 void warn(const std::vector<std::string>& warnings);

@@ -21,18 +21,21 @@ using Json = nlohmann::ordered_json;
 
 struct HullArguments {
   std::string input;
-  std::string units = "mm";
+  std::string units;
   std::size_t most_vertices = kMaxHullVertices;
   std::string output;
   bool json = false;
 };
 
 void run_hull(const HullArguments& a) {
-  const ReadMesh read = read_mesh(a.input);
+  ReadMesh read = read_mesh(a.input);
+  MeshUnits units;
+  if (!a.units.empty()) units.given_m = kMetresPerUnit.at(a.units);
+  const double metres_per_unit = take_metres(read, a.input, units);
+  warn(read.notes);
   std::vector<Vec> points_m;
   for (const Triangle& t : read.mesh.triangles) {
-    for (const std::uint32_t i : t)
-      points_m.push_back(read.mesh.points[i] * kMetresPerUnit.at(a.units));
+    for (const std::uint32_t i : t) points_m.push_back(read.mesh.points[i] * metres_per_unit);
   }
   const Hull hull = simple_hull(a.input, points_m, a.most_vertices);
   const std::string source = std::filesystem::path(a.input).filename().string();
@@ -69,10 +72,9 @@ void add_hull(CLI::App& app) {
   command->add_option("input", a.input, "Mesh (" + mesh_endings() + ")")
       ->type_name("FILE")
       ->required();
-  command->add_option("--units", a.units, "Unit of the mesh")
+  command->add_option("--units", a.units, "Unit of the mesh (default: its own, else mm)")
       ->type_name("UNIT")
-      ->check(CLI::IsMember(kMetresPerUnit))
-      ->capture_default_str();
+      ->check(CLI::IsMember(kMetresPerUnit));
   command->add_option("--max-vertices", a.most_vertices, "Most vertices that the hull may have")
       ->type_name("NUMBER")
       ->check(cli::between(kLeastHullVertices, std::size_t{kMaxHullVertices}))

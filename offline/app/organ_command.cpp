@@ -164,9 +164,9 @@ void add_common(CLI::App& command, CommonArguments& a) {
   command.add_flag("--json", a.json, "Report as one JSON object on standard output");
 }
 
-BuildOptions limited_options(const CommonArguments& a, double metres_per_unit) {
+BuildOptions limited_options(const CommonArguments& a, const MeshUnits& units) {
   limit_memory(a.memory_limit_bytes);
-  BuildOptions options = common_options(a, metres_per_unit);
+  BuildOptions options = common_options(a, units);
   options.measured = !a.report.empty();
   return options;
 }

@@ -29,7 +29,7 @@ struct CommonArguments : Settings {
 void add_common(CLI::App& command, CommonArguments& a);
 
 // common_options, which also sets the memory limit and what a report asks for.
-BuildOptions limited_options(const CommonArguments& a, double metres_per_unit);
+BuildOptions limited_options(const CommonArguments& a, const MeshUnits& units);
 
 // Builds, writes and reports. The progress bar is wiped before the report is printed.
 void finish(const std::function<Built(const BuildOptions&, const Progress&)>& make,

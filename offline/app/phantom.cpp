@@ -56,7 +56,7 @@ void run_phantom(PhantomArguments a) {
     refuse("--size-mm: expected only with block and layered");
   }
   if (a.tissue.empty()) a.tissue = a.kind == "liver" ? "liver" : "gel";
-  BuildOptions options = limited_options(a, 1e-3);
+  BuildOptions options = limited_options(a, {});
   options.layers = parse_layers(a.layers, "--layer");
   if (options.name.empty()) options.name = a.kind + " phantom";
   Input input;

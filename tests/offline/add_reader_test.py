@@ -7,6 +7,7 @@ usage: add_reader_test.py SOURCE
 """
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -17,7 +18,7 @@ from command import run
 SOURCE = pathlib.Path(sys.argv[1])
 
 READER = """// SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshes/mesh_text.h"
+#include "meshes/lines.h"
 
 namespace stylet::offline {
 
@@ -29,11 +30,12 @@ ReadMesh read_points(std::string_view file, std::string_view bytes) {
   while (next_line(lines)) {
     const std::string_view x = next_token(lines), y = next_token(lines), z = next_token(lines);
     corners.push_back(static_cast<std::uint32_t>(collector.mesh.points.size()));
-    add_point(collector, {x, y, z}, lines.number);
+    add_point(collector, {x, y, z}, place_of(lines));
     if (corners.size() < 3) continue;
-    add_polygon(collector, corners);
+    add_polygon(collector, corners, place_of(lines));
     corners.clear();
   }
+  if (!corners.empty()) refuse_at(lines, "end of file", "three points for each triangle");
   return finish(std::move(collector));
 }
 
@@ -84,6 +86,13 @@ class AddReader(unittest.TestCase):
             read = copy / "build/read"
             self.assertRegex(run(read, copy / "a.pts"), r"^\.obj .*\.pts: 2 triangles\n$")
             self.assertRegex(run(read, copy / "a.xyz"), r"expected a mesh file .* or \.pts\n$")
+            (copy / "a.pts").write_text("0 0 0\n1 0 0\n0 1 0\n2 0 0\n")
+            self.assertRegex(run(read, copy / "a.pts"), r"a\.pts:4: 'end of file': expected three")
+            with (copy / "src/meshes/readers.inc").open("a") as readers:
+                readers.write("STYLET_MESH_READER(xyz, read_none)\n")
+            again = subprocess.run(["cmake", copy / "build"], capture_output=True, text=True)
+            self.assertNotEqual(again.returncode, 0)
+            self.assertRegex(" ".join(again.stderr.split()), r"readers\.inc: .*read_none\.cpp")
 
 
 if __name__ == "__main__":

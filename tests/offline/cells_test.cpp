@@ -275,7 +275,7 @@ TEST(Regions, HoldTheCornersInAnyOfThem) {
     const DrawnRegions drawn = drawn_regions(draw);
     const Grid& grid = drawn.claims.grid;
     const std::vector<std::uint8_t> held =
-        offline::held_corners(grid, drawn.extent, offline::parse_regions(drawn.texts, 1));
+        offline::held_corners(grid, drawn.extent, offline::parse_regions(drawn.texts, {1}));
     std::size_t corner = 0;
     each_of(grid, 1, [&](At at) {
       bool expected = false;

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<std::byte> small_organ() {
   offline::BuildOptions options;
-  options.held = offline::parse_regions(offline::kDefaultFix, 1);
+  options.held = offline::parse_regions(offline::kDefaultFix, {1});
   return build_quietly({input_of(offline::block_phantom({0.02, 0.015, 0.01}, 0.005), 1)}, options)
       .bytes;
 }

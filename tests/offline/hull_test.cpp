@@ -222,7 +222,7 @@ TEST(Hull, ProgramRefusesInOneLineAndLeavesNothing) {
   refused((scratch.folder / "none.stl").string(), 1);
   refused(flat.string() + " --max-vertices 65", 2);
   refused(flat.string() + " --max-vertices 3", 2);
-  refused(flat.string() + " --units inch", 2);
+  refused(flat.string() + " --units foot", 2);
 }
 
 }  // namespace

@@ -201,20 +201,20 @@ TEST(Membranes, ASurfaceThatIsTooFineIsSimplified) {
 
 TEST(Membranes, TextsThatCannotBeMeantAreRefused) {
   const auto parsed = [](const std::string& text) {
-    return refusal_of([&] { (void)offline::parse_membranes({text}, 1e-3); });
+    return refusal_of([&] { (void)offline::parse_membranes({text}, {1e-3}); });
   };
   for (const char* text : {"dura", "x=:dura", "x=1mm:dura", "x=nan:dura", "x=12:", ":dura"}) {
     EXPECT_THAT(parsed(text), HasSubstr("expected MESH:TISSUE, or x=MM:TISSUE")) << text;
   }
   EXPECT_THAT(parsed("no-such.stl:dura"), HasSubstr("no-such.stl"));
-  const std::vector<Membrane> planes = offline::parse_membranes({"y=-2.5:dura"}, 1e-3);
+  const std::vector<Membrane> planes = offline::parse_membranes({"y=-2.5:dura"}, {1e-3});
   ASSERT_EQ(planes.size(), 1U);
   EXPECT_TRUE(planes[0].is_plane);
   EXPECT_EQ(planes[0].axis, 1U);
   EXPECT_EQ(planes[0].at_m, -2.5e-3);
   offline::Settings settings;
   settings.membranes = {"x=1:no_such_tissue"};
-  EXPECT_THAT(refusal_of([&] { (void)offline::common_options(settings, 1e-3); }),
+  EXPECT_THAT(refusal_of([&] { (void)offline::common_options(settings, {1e-3}); }),
               HasSubstr("no_such_tissue"));
 }
 

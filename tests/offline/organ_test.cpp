@@ -127,7 +127,7 @@ TEST_P(RealOrganTest, BecomesAnOrgan) {
   input.read = offline::read_mesh(path);
   const offline::Mesh mesh = input.read.mesh;
   BuildOptions options;
-  options.held = offline::parse_regions(offline::kDefaultFix, 1);
+  options.held = offline::parse_regions(offline::kDefaultFix, {1});
   const Built built = build_quietly({input}, options);
   const Organ organ = opened(built.bytes);
   const offline::InputReport& report = built.report.inputs[0];
@@ -392,17 +392,17 @@ TEST(Attachments, HoldExactlyTheCornersOfTheRegion) {
     return std::pair{at_low_x, others};
   };
   const std::pair<std::size_t, std::size_t> low_face{16 * 4, 0}, none{0, 0};
-  EXPECT_EQ(held(offline::parse_regions({"x<0"}, 1)), low_face);
-  EXPECT_EQ(held(offline::parse_regions({"x<3%"}, 1)), low_face);
-  EXPECT_EQ(held(offline::parse_regions({"box:-1,-99,-99,1,99,99"}, 1)), low_face);
-  EXPECT_EQ(held(offline::parse_regions({"none"}, 1)), none);
-  EXPECT_EQ(held(offline::parse_regions({"x>15", "y>99%"}, 1)).first, 8U);
+  EXPECT_EQ(held(offline::parse_regions({"x<0"}, {1})), low_face);
+  EXPECT_EQ(held(offline::parse_regions({"x<3%"}, {1})), low_face);
+  EXPECT_EQ(held(offline::parse_regions({"box:-1,-99,-99,1,99,99"}, {1})), low_face);
+  EXPECT_EQ(held(offline::parse_regions({"none"}, {1})), none);
+  EXPECT_EQ(held(offline::parse_regions({"x>15", "y>99%"}, {1})).first, 8U);
   offline::Region touching;
   touching.kind = offline::Region::Kind::kTouching;
   touching.mesh_m = plate;
   EXPECT_EQ(held({touching}).first, 16U * 4);
   for (const char* bad : {"", "x", "w>3", "x>", "x>3mm", "box:1,2,3", "box:2,0,0,1,1,1", "x>nan"}) {
-    EXPECT_THROW((void)offline::parse_regions({bad}, 1), offline::Refusal) << bad;
+    EXPECT_THROW((void)offline::parse_regions({bad}, {1}), offline::Refusal) << bad;
   }
 }
 
@@ -479,7 +479,7 @@ TEST(Build, TakesOneToAThousandInputsOfAPlausibleSize) {
 TEST(Build, SameInputSameBytes) {
   BuildOptions options;
   options.capsule = "liver_capsule";
-  options.held = offline::parse_regions(offline::kDefaultFix, 1);
+  options.held = offline::parse_regions(offline::kDefaultFix, {1});
   const auto once = build_quietly({input_of(offline::liver_phantom(8e-3), 1)}, options);
   const auto again = build_quietly({input_of(offline::liver_phantom(8e-3), 1)}, options);
   EXPECT_EQ(once.bytes, again.bytes);

@@ -476,6 +476,10 @@ TEST(Program, RefusalsOfWrongUnitsNameTheSize) {
   const Result large =
       run({"build", flat, "--units", "m", "--scale", "100", "--voxels-across", "10", "-o", organ});
   EXPECT_EQ(large.exit_code, 1);
+  const std::string far =
+      scratch.write("far.off", "OFF\n3 1 0\n0 0 0\n1e300 0 0\n0 2 0\n3 0 1 2\n").string();
+  expect_one_line(run({"build", far, "-o", organ}).err, "far.off: point 2 of 3: (1e+300, 0, 0)");
+  expect_one_line(run({"build", flat, "--units", "inch", "-o", organ}).err, "side 7.62 mm");
   expect_one_line(large.err, "--voxels-across 10: voxel edge 3000 mm");
   expect_one_line(large.err, "check --units");
 }
@@ -504,8 +508,12 @@ TEST(Program, LabelMapsNeedARecipe) {
   EXPECT_EQ(facts["organ"]["name"], "seg");
   EXPECT_NEAR(facts["labels"][0]["filled_volume_ml"].get<double>(), 32, 0.32);
   std::filesystem::remove(organ);
+  const std::string mesh_folder = (scratch.folder / "d.STL").string();
+  std::filesystem::create_directory(mesh_folder);
   const std::pair<std::vector<std::string>, const char*> refused[] = {
       {{map}, "expected --recipe"},
+      {{scratch.folder.string()}, "expected --recipe"},
+      {{mesh_folder}, "d.STL: is a directory: expected a readable file"},
       {{map, map, "--recipe", recipe}, "2 inputs: expected one label map"},
       {{map, "--recipe", (scratch.folder / "none.toml").string()}, "no such file"}};
   for (const auto& [arguments, reason] : refused) {

@@ -106,7 +106,7 @@ TEST(Quality, ThinPartsWithoutAVoxelAreCounted) {
 TEST(Quality, PieceThatNothingHoldsIsReportedAsDrifting) {
   const Mesh apart = both(box_mesh({0, 0, 0}, {20, 20, 20}), box_mesh({40, 0, 0}, {60, 20, 20}));
   offline::BuildOptions options = measured_at(5);
-  options.held = offline::parse_regions({"x<5%"}, 1e-3);
+  options.held = offline::parse_regions({"x<5%"}, {1e-3});
   const offline::Built built = build_quietly({input_of(apart, 1e-3)}, options);
   const offline::Quality quality = quality_of(built);
   ASSERT_EQ(quality.pieces.size(), 2U);
@@ -134,7 +134,7 @@ TEST(Quality, PiecesThatCannotMoveAreReported) {
       rigid += high <= 10 ? 1U : 0U;
     }
     offline::BuildOptions options = measured_at(5);
-    options.held = offline::parse_regions({"z<10"}, 1e-3);
+    options.held = offline::parse_regions({"z<10"}, {1e-3});
     const auto built = build_quietly(inputs, options);
     const auto findings = offline::held_findings(offline::lattice_pieces(opened(built.bytes)));
     std::vector<std::string> expected;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each reader with the spellings of its format, with files that it must refuse, and the words with
 // which it refuses.
+#include "meshes/reader.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 
 #include "base/file.h"
 #include "base/refusal.h"
-#include "meshes/mesh_text.h"
 #include "meshes/read_mesh.h"
 #include "offline_support.h"
 
@@ -172,8 +173,9 @@ TEST(Stl, BinaryMayBeginWithSolid) {
 }
 
 TEST(Stl, RefusesToClaimMoreThanTheFileContains) {
-  EXPECT_THAT(refusal("a.stl", binary_stl(0xFFFFFFFF, 2)),
-              HasSubstr("byte 80: 4294967295: expected at most 2 triangles"));
+  EXPECT_THAT(
+      refusal("a.stl", binary_stl(0xFFFFFFFF, 2)),
+      HasSubstr("byte 80: 4294967295: expected a number of triangles from 0 to 2, for which"));
   EXPECT_THAT(refusal("a.stl", binary_stl(3, 6)),
               HasSubstr("byte 80: 3: expected 6 triangles, which 384 bytes hold"));
   EXPECT_EQ(read("a.stl", binary_stl(2, 2) + std::string(400, '\0')).mesh.triangles.size(), 2U);
@@ -186,7 +188,8 @@ TEST(Stl, TextEndsWithItsLastLoop) {
               HasSubstr("a.stl:4: 'end of file': expected endloop"));
   std::string binary = "solid a" + std::string(77, '\0');
   binary[80] = '\5';
-  EXPECT_THAT(refusal("a.stl", binary), HasSubstr("byte 80: 5: expected at most 0 triangles"));
+  EXPECT_THAT(refusal("a.stl", binary),
+              HasSubstr("byte 80: 5: expected a number of triangles from 0 to 0"));
 }
 
 TEST(Stl, NamesTheByteOfAnInvalidNumber) {

@@ -30,14 +30,14 @@ Recipe recipe_with(const std::vector<std::string>& tissues) {
 }
 
 BuildOptions for_labels(const Settings& settings, const Recipe& recipe) {
-  BuildOptions options = offline::common_options(settings, 1e-3);
+  BuildOptions options = offline::common_options(settings, {1e-3});
   const std::string path = "folder/seg.nii.gz", text = "recipe.toml";
   offline::choose_for_labels(settings, {path, text}, recipe, options);
   return options;
 }
 
 BuildOptions for_mesh(const Settings& settings, const std::string& tissue) {
-  BuildOptions options = offline::common_options(settings, 1);
+  BuildOptions options = offline::common_options(settings, {1});
   offline::Input input;
   input.path = "folder/Liver.final.stl";
   input.tissue = tissue;

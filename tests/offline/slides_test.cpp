@@ -399,7 +399,7 @@ TEST(Slides, NoPointsBesideAPartThatOverlaps) {
 TEST(Slides, WhatLiesOnAHeldPartIsBorne) {
   const auto findings = [](const std::string& held, double gap_mm) {
     BuildOptions options = sliding(5, "muscle:kidney");
-    options.held = offline::parse_regions({held}, 1e-3);
+    options.held = offline::parse_regions({held}, {1e-3});
     const auto built = build_quietly(
         {input_of(box_mesh({0, 0, 0}, {40, 40, 20}), 1e-3, "kidney"),
          input_of(box_mesh({5, 5, 20 + gap_mm}, {35, 35, 40 + gap_mm}), 1e-3, "muscle")},
@@ -480,7 +480,7 @@ TEST(Slides, RestIsRest) {
 TEST(Slides, TheGroundBearsTheWeight) {
   for (const double level : {17.2, 20.0, 23.1}) {
     BuildOptions options = sliding(5, "muscle:kidney:0");
-    options.held = offline::parse_regions({"z<1"}, 1e-3);
+    options.held = offline::parse_regions({"z<1"}, {1e-3});
     const auto built =
         build_quietly({input_of(box_mesh({0, 0, 0}, {60, 60, level}), 1e-3, "kidney"),
                        input_of(box_mesh({10, 10, level}, {50, 50, 40}), 1e-3, "muscle")},
@@ -512,7 +512,7 @@ TEST(Slides, AThinPlateBetweenTwoBearsAndIsBorne) {
     BuildOptions options = sliding(5, "muscle:kidney:0");
     // The last keeps the slab and the low one apart: the plate is too thin to do it.
     options.slides = offline::parse_slides({"muscle:kidney:0", "liver:muscle:0", "liver:kidney:0"});
-    options.held = offline::parse_regions({"z<1"}, 1e-3);
+    options.held = offline::parse_regions({"z<1"}, {1e-3});
     const double top = 18.4 + thick;
     const auto built =
         build_quietly({input_of(box_mesh({0, 0, 0}, {60, 60, 18.4}), 1e-3, "kidney"),
@@ -557,7 +557,7 @@ double gone_x_m(const View& view) {
 // A slab slides on another body, as on a slope. A needle goes through both and holds it.
 TEST(Slides, ANeedleCrossesAndHoldsWhatSlides) {
   BuildOptions options = sliding(4.6, "muscle:kidney:0.3");
-  options.held = offline::parse_regions({"z<1"}, 1e-3);
+  options.held = offline::parse_regions({"z<1"}, {1e-3});
   const auto built =
       build_quietly({input_of(box_mesh({0, 0, 0}, {100, 60, 30.7}), 1e-3, "kidney"),
                      input_of(box_mesh({10, 10, 30.7}, {70, 50, 45}), 1e-3, "muscle")},
@@ -726,13 +726,13 @@ TEST(Slides, TheOptionIsInTheFile) {
   std::vector<offline::Input> inputs = {
       input_of(box_mesh({0, 0, 0}, {40, 40, 20}), 1e-3, "kidney"),
       input_of(box_mesh({0, 0, 20}, {40, 40, 40}), 1e-3, "muscle")};
-  BuildOptions options = offline::common_options(settings, 1e-3);
+  BuildOptions options = offline::common_options(settings, {1e-3});
   offline::choose_for_meshes(settings, inputs, options);
   EXPECT_THAT(options.options_text, HasSubstr(" --slide muscle:kidney:0.25"));
   const auto built = build_quietly(inputs, options), again = build_quietly(inputs, options);
   EXPECT_EQ(built.bytes, again.bytes);
   settings.slides = {"muscle:liver"};
-  options = offline::common_options(settings, 1e-3);
+  options = offline::common_options(settings, {1e-3});
   EXPECT_EQ(refusal_of([&] { offline::choose_for_meshes(settings, inputs, options); }),
             "--slide 'muscle:liver': liver: expected the tissue of one of the inputs");
 }

@@ -145,7 +145,7 @@ TEST(Mass, FactorIsThatOfTheStabilityBound) {
 TEST(Mass, TellsFromWhichFrequencyOnAHandFeelsTheStep) {
   offline::BuildOptions options;
   options.voxel_edge_m = 5e-3;
-  options.held = offline::parse_regions({"z<5%"}, 1);
+  options.held = offline::parse_regions({"z<5%"}, {1});
   const offline::Mesh block = box_mesh({0, 0, 0}, {40, 60, 80});
   const auto bytes = build_quietly({input_of(block, 1e-3, "liver")}, options).bytes;
   const Organ organ = opened(bytes);

@@ -41,10 +41,10 @@ Given given_of(const py::object& object, const std::string& text) {
   return {object.is_none() ? "" : object.cast<std::string>(), std::nullopt, text};
 }
 
-// Options with the tissues of `materials`. `metres_per_unit`: that of a mesh that holds the organ.
-BuildOptions options_of(Settings& settings, const Given& materials, double metres_per_unit) {
+// Options with the tissues of `materials`. `units`: those of the meshes that options name.
+BuildOptions options_of(Settings& settings, const Given& materials, const MeshUnits& units) {
   settings.materials = materials.path;
-  BuildOptions options = common_options(settings, metres_per_unit);
+  BuildOptions options = common_options(settings, units);
   if (materials.dict) {
     options.own_tissues = tissues_of(table_of(*materials.dict, "materials"), "materials");
     options.options_text += " --materials " + materials.text;
@@ -87,7 +87,7 @@ py::dict build_from_labels(const py::array& labels, const std::array<std::size_t
                            const py::object& progress) {
   Settings settings = settings_of(options);
   const Given own_recipe = given_of(recipe, recipe_text);
-  BuildOptions build_options = options_of(settings, given_of(materials, materials_text), 1e-3);
+  BuildOptions build_options = options_of(settings, given_of(materials, materials_text), {});
   const LabelArray array = label_array(labels, axes);
   const auto& [origin_m, step_m, label_names, source] = frame;
   const std::string path = source.empty() ? "labels" : source;
@@ -129,7 +129,7 @@ py::dict build_from_meshes(const std::vector<MeshArrays>& meshes, const py::obje
                            const py::object& progress) {
   Settings settings = settings_of(options);
   settings.units = "m";
-  BuildOptions build_options = options_of(settings, given_of(materials, materials_text), 1);
+  BuildOptions build_options = options_of(settings, given_of(materials, materials_text), {1.0});
   std::vector<Input> inputs;
   for (const auto& [name, source, vertices_m, faces, tissue, priority] : meshes) {
     (void)find_tissue(build_options.own_tissues, tissue);

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 
 #include "base/file.h"
-#include "meshes/mesh_text.h"
+#include "meshes/reader.h"
 
 namespace stylet::offline {
 namespace {
@@ -21,26 +22,68 @@ std::string listed_endings(std::string_view between, std::string_view last) {
   return text;
 }
 
+const MeshFormat* format_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto* const format =
+      std::find_if(std::begin(kMeshFormats), std::end(kMeshFormats),
+                   [&](const MeshFormat& each) { return each.ending == extension; });
+  return format == std::end(kMeshFormats) ? nullptr : format;
+}
+
+// A body in millimetres that was taken for metres reaches some kilometres, and later stages say how
+// large it is; what lies farther is a damaged number, which squares and cubes would overflow.
+constexpr double kFarthestM = 1e4;
+
+constexpr double kUsualMetresPerUnit = 1e-3;
+// Of factors that two programs wrote for the same unit.
+constexpr double kRounding = 1e-6;
+
 }  // namespace
 
 std::string mesh_endings() {
   return listed_endings(" ", " ");
 }
 
+bool is_mesh_name(const std::filesystem::path& path) {
+  return format_of(path) != nullptr;
+}
+
 ReadMesh read_mesh(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto* const format =
-      std::find_if(std::begin(kMeshFormats), std::end(kMeshFormats),
-                   [&](const MeshFormat& each) { return each.ending == extension; });
-  if (format == std::end(kMeshFormats)) {
-    refuse("{}: '{}': expected a mesh file ending in {}", path.string(), extension,
+  const MeshFormat* const format = format_of(path);
+  if (format == nullptr) {
+    refuse("{}: '{}': expected a mesh file ending in {}", path.string(), path.extension().string(),
            listed_endings(", ", " or "));
   }
   const std::string bytes = read_file(path);
-  ReadMesh result = format->read(path.string(), bytes);
+  ReadMesh result = read_with(*format, path.string(), bytes);
   result.sha256 = sha256_hex(bytes);
   return result;
+}
+
+double take_metres(ReadMesh& read, const std::string& name, const MeshUnits& units) {
+  const double unit_m = units.given_m.value_or(read.metres_per_unit.value_or(kUsualMetresPerUnit));
+  if (read.metres_per_unit && std::abs(*read.metres_per_unit / unit_m - 1) > kRounding) {
+    read.notes.push_back(
+        fmt::format("{}: its unit is {:g} m, as it says, but --units makes it {:g} m", name,
+                    *read.metres_per_unit, unit_m));
+  }
+  return unit_m * units.scale;
+}
+
+void scale_to_metres(Mesh& mesh, const std::string& name, double metres_per_unit) {
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) {
+      const Vec& p = mesh.points[corner];
+      const double farthest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      if (farthest * metres_per_unit <= kFarthestM) continue;
+      refuse(
+          "{}: point {} of {}: ({:g}, {:g}, {:g}) in units of {:g} m: expected coordinates up to "
+          "{:g} m; check --units and --scale",
+          name, corner + 1, mesh.points.size(), p.x, p.y, p.z, metres_per_unit, kFarthestM);
+    }
+  }
+  for (Vec& p : mesh.points) p = p * metres_per_unit;
 }
 
 std::string off_text(const Mesh& mesh) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: v and f are read, l and p are counted, everything else (vt, vn, groups, materials,
 // curves) is skipped. A backslash at the end of a line continues it.
-#include "meshes/mesh_text.h"
+#include "meshes/lines.h"
 
 namespace stylet::offline {
 namespace {
@@ -42,34 +42,23 @@ std::uint32_t parse_corner(const Lines& lines, std::string_view token, std::size
 
 ReadMesh read_obj(std::string_view file, std::string_view bytes) {
   Lines lines{.text = without_mark(bytes), .file = file, .comment = '#'};
-  Collector collector{.file = file};
+  Collector collector{.file = file, .first_index = 1};
   std::string joined;
   std::vector<std::uint32_t> corners;
-  std::uint32_t highest = 0;
-  std::uint64_t highest_line = 0;
   while (next_logical_line(lines, joined)) {
     const std::string_view keyword = next_token(lines);
     if (keyword == "v") {
       const std::string_view x = next_token(lines), y = next_token(lines), z = next_token(lines);
-      add_point(collector, {x, y, z}, lines.number);
+      add_point(collector, {x, y, z}, place_of(lines));
     } else if (keyword == "f") {
       corners.clear();
       for (std::string_view t = next_token(lines); !t.empty(); t = next_token(lines)) {
         corners.push_back(parse_corner(lines, t, collector.mesh.points.size()));
-        if (highest_line == 0 || corners.back() > highest) {
-          highest = corners.back();
-          highest_line = lines.number;
-        }
       }
-      add_polygon(collector, corners);
+      add_polygon(collector, corners, place_of(lines));
     } else if (keyword == "l" || keyword == "p") {
       ++collector.counts.lines_and_points;
     }
-  }
-  // Points may come after the faces that use them, so the upper limit is known only here.
-  if (highest_line > 0 && highest >= collector.mesh.points.size()) {
-    refuse("{}:{}: {}: expected a point index up to {}", file, highest_line,
-           static_cast<std::uint64_t>(highest) + 1, collector.mesh.points.size());
   }
   return finish(std::move(collector));
 }

@@ -3,16 +3,10 @@
 // with three coordinates, a face's line with its corner indices; the rest of the line is skipped.
 // Comments start with '#'.
 // The counts may follow the keyword on its line, even without a blank ("OFF8 6 12").
-#include "meshes/mesh_text.h"
+#include "meshes/lines.h"
 
 namespace stylet::offline {
 namespace {
-
-// A point or face takes at least two bytes; a header that claims more than fit is refused.
-std::size_t read_count(Lines& lines, std::string_view token, const char* what) {
-  const auto most = static_cast<std::int64_t>(lines.text.size() / 2);
-  return static_cast<std::size_t>(require_integer(lines, token, 0, most, what));
-}
 
 // Moves the cursor to the number of points.
 void read_keyword(Lines& lines) {
@@ -31,8 +25,9 @@ ReadMesh read_off(std::string_view file, std::string_view bytes) {
   Lines lines{.text = without_mark(bytes), .file = file, .comment = '#'};
   Collector collector{.file = file};
   read_keyword(lines);
-  const auto count = [&](const char* what) {
-    return read_count(lines, token_across_lines(lines, what), what);
+  const auto count = [&](std::string_view what) {
+    constexpr std::size_t kLeastBytes = 2;  // of a point, a face or a corner
+    return require_count(lines, token_across_lines(lines, what), kLeastBytes, what);
   };
   const std::size_t points = count("a number of points");
   const std::size_t faces = count("a number of faces");
@@ -41,7 +36,7 @@ ReadMesh read_off(std::string_view file, std::string_view bytes) {
     const std::string_view x = token_across_lines(lines, "a coordinate");
     const std::string_view y = token_across_lines(lines, "a coordinate");
     const std::string_view z = token_across_lines(lines, "a coordinate");
-    add_point(collector, {x, y, z}, lines.number);
+    add_point(collector, {x, y, z}, place_of(lines));
     lines.rest = {};
   }
   std::vector<std::uint32_t> corners;
@@ -55,7 +50,7 @@ ReadMesh read_off(std::string_view file, std::string_view bytes) {
           require_integer(lines, token, 0, last_point, "a point index")));
     }
     lines.rest = {};
-    add_polygon(collector, corners);
+    add_polygon(collector, corners, place_of(lines));
   }
   return finish(std::move(collector));
 }

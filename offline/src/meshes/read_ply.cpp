@@ -2,17 +2,13 @@
 // PLY 1.0, text and binary in either byte order, with any layout of elements and properties. Only
 // x, y, z of "vertex" and the list vertex_indices (or vertex_index) of "face" are
 // kept.
-#include "base/numbers.h"
-#include "meshes/mesh_text.h"
+#include "meshes/bytes.h"
+#include "meshes/lines.h"
 
 namespace stylet::offline {
 namespace {
 
 enum class Kind { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
-constexpr std::size_t kKindBytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-std::size_t bytes_of(Kind kind) {
-  return kKindBytes[static_cast<std::size_t>(kind)];
-}
 
 struct Property {
   std::string name;
@@ -81,11 +77,11 @@ Header read_header(Lines& lines) {
       header.encoding = parse_encoding(lines);
     } else if (keyword == "element") {
       const std::string name(next_token(lines));
-      // A row takes at least one byte, so no count may exceed the bytes of the file.
-      const std::int64_t count =
-          require_integer(lines, next_token(lines), 0, static_cast<std::int64_t>(lines.text.size()),
-                          "a number of elements");
-      header.elements.push_back({name, static_cast<std::size_t>(count), {}});
+      constexpr std::size_t kLeastRowBytes = 1;
+      header.elements.push_back(
+          {name,
+           require_count(lines, next_token(lines), kLeastRowBytes, "a number of elements"),
+           {}});
     } else if (keyword == "property") {
       if (header.elements.empty()) refuse_at(lines, keyword, "an element before its properties");
       header.elements.back().properties.push_back(parse_property(lines));
@@ -94,29 +90,23 @@ Header read_header(Lines& lines) {
   refuse_at(lines, "end of file", "end_header");
 }
 
+constexpr std::string_view kMore = "more elements, as the header says";
+
 // Reads the values after the header one by one, in any encoding.
 struct Values {
-  Lines lines;         // text
-  std::size_t at = 0;  // binary: next byte
-  Encoding encoding = Encoding::kText;
-
-  std::string place() const {
-    return encoding == Encoding::kText ? fmt::format("{}", lines.number)
-                                       : fmt::format(" byte {}", at);
-  }
+  Lines lines;  // text
+  Bytes bytes;  // binary
+  bool is_text = true;
 };
 
-double next_binary(Values& values, Kind kind) {
-  const std::size_t size = bytes_of(kind);
-  if (values.lines.text.size() - values.at < size) {
-    refuse("{}: byte {}: end of file: expected more elements, as the header says",
-           values.lines.file, values.lines.text.size());
-  }
-  const auto number = [&values, at = values.at](auto of_type) {
-    const auto order = values.encoding == Encoding::kBig ? std::endian::big : std::endian::little;
-    return static_cast<double>(number_at<decltype(of_type)>(values.lines.text, at, order));
+Place place_of(const Values& values) {
+  return values.is_text ? place_of(values.lines) : place_of(values.bytes);
+}
+
+double next_binary(Bytes& bytes, Kind kind) {
+  const auto number = [&bytes](auto of_type) {
+    return static_cast<double>(next<decltype(of_type)>(bytes, kMore));
   };
-  values.at += size;
   switch (kind) {
     case Kind::kInt8:
       return number(std::int8_t{});
@@ -139,26 +129,30 @@ double next_binary(Values& values, Kind kind) {
 }
 
 double next_value(Values& values, Kind kind) {
-  if (values.encoding != Encoding::kText) return next_binary(values, kind);
-  return parse_number(token_across_lines(values.lines, "more elements, as the header says"));
+  if (!values.is_text) return next_binary(values.bytes, kind);
+  return parse_number(token_across_lines(values.lines, kMore));
 }
 
-std::int64_t next_integer(Values& values, Kind kind, std::int64_t high, const char* expected) {
-  const std::string place = values.encoding == Encoding::kText ? "" : values.place();
+// A number from 0, of any type. Its place is that of its first byte, or the line where it was
+// found.
+std::int64_t next_integer(Values& values, Kind kind, std::int64_t high, std::string_view expected) {
+  const Place start = place_of(values);
   const double value = next_value(values, kind);
   if (!(value >= 0 && value <= static_cast<double>(high)) || value != std::floor(value)) {
-    refuse("{}:{}: {}: expected {} from 0 to {}", values.lines.file,
-           place.empty() ? values.place() : place, value, expected, high);
+    refuse_at(values.is_text ? place_of(values) : start, fmt::format("{}", value),
+              fmt::format("{} from 0 to {}", expected, high));
   }
   return static_cast<std::int64_t>(value);
 }
 
+// A number of values, each of which takes at least one byte.
+std::int64_t next_length(Values& values, const Property& property, std::string_view expected) {
+  return next_integer(values, property.count_kind,
+                      static_cast<std::int64_t>(values.lines.text.size()), expected);
+}
+
 void skip(Values& values, const Property& property) {
-  std::int64_t count = 1;
-  if (property.is_list) {
-    count = next_integer(values, property.count_kind,
-                         static_cast<std::int64_t>(values.lines.text.size()), "a list length");
-  }
+  const std::int64_t count = property.is_list ? next_length(values, property, "a list length") : 1;
   for (std::int64_t i = 0; i < count; ++i) (void)next_value(values, property.kind);
 }
 
@@ -166,7 +160,7 @@ void read_points(Values& values, const Element& element, Collector& collector) {
   for (std::size_t row = 0; row < element.count; ++row) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     double xyz[3] = {kNone, kNone, kNone};
-    const std::string start = values.place();
+    const Place start = place_of(values);
     for (const Property& property : element.properties) {
       if (!property.is_list && property.name.size() == 1 && property.name[0] >= 'x' &&
           property.name[0] <= 'z') {
@@ -176,7 +170,7 @@ void read_points(Values& values, const Element& element, Collector& collector) {
       }
     }
     const Vec point{xyz[0], xyz[1], xyz[2]};
-    add_point(collector, point, values.encoding == Encoding::kText ? values.place() : start);
+    add_point(collector, point, values.is_text ? place_of(values) : start);
   }
 }
 
@@ -189,15 +183,13 @@ void read_faces(Values& values, const Element& element, std::size_t points, Coll
         skip(values, property);
         continue;
       }
-      const std::int64_t n =
-          next_integer(values, property.count_kind,
-                       static_cast<std::int64_t>(values.lines.text.size()), "a number of corners");
+      const std::int64_t n = next_length(values, property, "a number of corners");
       corners.clear();
       for (std::int64_t i = 0; i < n; ++i) {
         corners.push_back(static_cast<std::uint32_t>(next_integer(
             values, property.kind, static_cast<std::int64_t>(points) - 1, "a point index")));
       }
-      add_polygon(collector, corners);
+      add_polygon(collector, corners, place_of(values));
     }
   }
 }
@@ -206,10 +198,11 @@ void read_faces(Values& values, const Element& element, std::size_t points, Coll
 
 ReadMesh read_ply(std::string_view file, std::string_view bytes) {
   bytes = without_mark(bytes);
-  Values values{.lines = {.text = bytes, .file = file}};
+  Values values{.lines = {.text = bytes, .file = file}, .bytes = {.bytes = bytes, .file = file}};
   const Header header = read_header(values.lines);
-  values.encoding = header.encoding;
-  values.at = std::min(values.lines.next, bytes.size());
+  values.is_text = header.encoding == Encoding::kText;
+  if (header.encoding == Encoding::kBig) values.bytes.order = std::endian::big;
+  values.bytes.next = std::min(values.lines.next, bytes.size());
   values.lines.rest = {};
   std::size_t points = 0;
   for (const Element& element : header.elements) {

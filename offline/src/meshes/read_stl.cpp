@@ -3,19 +3,17 @@
 // word "solid" does not tell, since many binary files begin with it, too.
 #include <cctype>
 
-#include "base/numbers.h"
-#include "meshes/mesh_text.h"
+#include "meshes/bytes.h"
+#include "meshes/lines.h"
 
 namespace stylet::offline {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kTitleBytes = 80;
+constexpr std::size_t kHeaderBytes = kTitleBytes + sizeof(std::uint32_t);
 constexpr std::size_t kFacetBytes = 50;
 constexpr std::size_t kNormalBytes = 12;
-
-std::uint32_t claimed_facets(std::string_view bytes) {
-  return number_at<std::uint32_t>(bytes, 80, std::endian::little);
-}
+constexpr std::size_t kAttributeBytes = 2;
 
 std::string lower(std::string_view token) {
   std::string text(token.substr(0, 16));
@@ -24,9 +22,9 @@ std::string lower(std::string_view token) {
 }
 
 bool is_text(std::string_view bytes) {
-  if (bytes.size() >= kHeaderBytes &&
-      bytes.size() == kHeaderBytes + kFacetBytes * std::size_t{claimed_facets(bytes)}) {
-    return false;
+  if (bytes.size() >= kHeaderBytes) {
+    const auto claimed = number_at<std::uint32_t>(bytes, kTitleBytes, std::endian::little);
+    if (bytes.size() == kHeaderBytes + kFacetBytes * std::size_t{claimed}) return false;
   }
   bytes = without_mark(bytes);
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
@@ -35,18 +33,18 @@ bool is_text(std::string_view bytes) {
          bytes.substr(0, kProbe).find('\0') == std::string_view::npos;
 }
 
-// Bytes after the claimed triangles may be padding; more triangles than claimed are refused.
-void require_claimed(std::string_view file, std::string_view bytes, std::size_t claimed) {
-  const std::size_t room = (bytes.size() - kHeaderBytes) / kFacetBytes;
-  if (claimed > room) {
-    refuse("{}: byte 80: {}: expected at most {} triangles, for which {} bytes have room", file,
-           claimed, room, bytes.size());
-  }
-  const std::string_view rest = bytes.substr(kHeaderBytes + claimed * kFacetBytes);
+// The number of triangles. Bytes after them may be padding; more triangles than claimed are
+// refused.
+std::size_t read_claimed(Bytes& in) {
+  const Place place = place_of(in);
+  const std::size_t claimed = next_count<std::uint32_t>(in, kFacetBytes, "a number of triangles");
+  const std::string_view rest = in.bytes.substr(in.next + claimed * kFacetBytes);
   if (rest.size() >= kFacetBytes && rest.find_first_not_of('\0') != std::string_view::npos) {
-    refuse("{}: byte 80: {}: expected {} triangles, which {} bytes hold", file, claimed, room,
-           bytes.size());
+    refuse_at(
+        place, fmt::format("{}", claimed),
+        fmt::format("{} triangles, which {} bytes hold", left(in) / kFacetBytes, in.bytes.size()));
   }
+  return claimed;
 }
 
 ReadMesh read_binary(std::string_view file, std::string_view bytes) {
@@ -54,21 +52,22 @@ ReadMesh read_binary(std::string_view file, std::string_view bytes) {
     refuse("{}: {} bytes: expected the word solid, or at least {} bytes of a binary STL", file,
            bytes.size(), kHeaderBytes);
   }
-  const std::uint32_t claimed = claimed_facets(bytes);
-  require_claimed(file, bytes, claimed);
+  constexpr std::string_view kMore = "another triangle";
+  Bytes in{.bytes = bytes, .file = file, .next = kTitleBytes};
+  const std::size_t claimed = read_claimed(in);
   Collector collector{.file = file};
-  collector.mesh.points.reserve(std::size_t{claimed} * 3);
+  collector.mesh.points.reserve(claimed * 3);
   for (std::size_t i = 0; i < claimed; ++i) {
+    const Place place = place_of(in);
     const auto first = static_cast<std::uint32_t>(collector.mesh.points.size());
+    skip_bytes(in, kNormalBytes, kMore);
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const std::size_t at = kHeaderBytes + i * kFacetBytes + kNormalBytes + corner * 12;
-      const auto coordinate = [&](std::size_t axis) {
-        return static_cast<double>(number_at<float>(bytes, at + axis * 4, std::endian::little));
-      };
-      add_point(collector, Vec{coordinate(0), coordinate(1), coordinate(2)},
-                fmt::format(" byte {}", at));
+      const Place start = place_of(in);
+      const auto coordinate = [&] { return static_cast<double>(next<float>(in, kMore)); };
+      add_point(collector, Vec{coordinate(), coordinate(), coordinate()}, start);
     }
-    collector.mesh.triangles.push_back({first, first + 1, first + 2});
+    skip_bytes(in, kAttributeBytes, kMore);
+    add_polygon(collector, std::array{first, first + 1, first + 2}, place);
   }
   return finish(std::move(collector));
 }
@@ -115,9 +114,9 @@ ReadMesh read_text(std::string_view file, std::string_view bytes) {
     if (keyword == "vertex") {
       const std::string_view x = next_token(lines), y = next_token(lines), z = next_token(lines);
       corners.push_back(static_cast<std::uint32_t>(collector.mesh.points.size()));
-      add_point(collector, {x, y, z}, lines.number);
+      add_point(collector, {x, y, z}, place_of(lines));
     } else if (keyword == "endloop") {
-      add_polygon(collector, corners);
+      add_polygon(collector, corners, place_of(lines));
       corners.clear();
     } else if (keyword == "normal") {
       for (int axis = 0; axis < 3; ++axis) (void)next_token(lines);

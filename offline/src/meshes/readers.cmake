@@ -7,4 +7,12 @@ file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/readers.inc mesh_readers REGEX "^STYLET_M
 list(TRANSFORM mesh_readers
   REPLACE "^.*, *([a-z_0-9]+).*$" "${CMAKE_CURRENT_LIST_DIR}/\\1.cpp")
 list(REMOVE_DUPLICATES mesh_readers)
-list(APPEND mesh_readers ${CMAKE_CURRENT_LIST_DIR}/mesh_text.cpp)
+foreach(reader ${mesh_readers})
+  if(NOT EXISTS ${reader})
+    message(FATAL_ERROR "${CMAKE_CURRENT_LIST_DIR}/readers.inc: a line names the reader of "
+      "${reader}, and there is no such file: expected STYLET_MESH_READER(ENDING, READER) and "
+      "the file READER.cpp beside it")
+  endif()
+endforeach()
+list(APPEND mesh_readers ${CMAKE_CURRENT_LIST_DIR}/bytes.cpp ${CMAKE_CURRENT_LIST_DIR}/lines.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/reader.cpp)

@@ -36,7 +36,7 @@ bool allowed_voxel_edge(double edge_m) {
 // Scales all meshes to metres and repairs them.
 std::vector<Solid> make_solids(std::vector<Input>& inputs, Box& box_out, const Progress& progress) {
   for (Input& input : inputs) {
-    for (Vec& p : input.read.mesh.points) p = p * input.metres_per_unit;
+    scale_to_metres(input.read.mesh, input.path, input.metres_per_unit);
   }
   std::vector<Solid> solids;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -304,6 +304,10 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   if (inputs.empty() || inputs.size() > kMostInputs) {
     refuse("{} inputs: expected 1 to {}", inputs.size(), kMostInputs);
   }
+  std::vector<std::string>& warnings = built.report.warnings;
+  for (const Input& input : inputs) {
+    std::ranges::copy(input.read.notes, std::back_inserter(warnings));
+  }
   Box box;
   std::vector<Solid> solids = make_solids(inputs, box, progress);
   std::vector<std::string> tissues;
@@ -330,9 +334,9 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
                         options, progress);
   });
   if (options.wrap) {
-    wrap_all(solids, contents, inputs, edge_m, box, built.report.warnings, progress);
+    wrap_all(solids, contents, inputs, edge_m, box, warnings, progress);
   }
-  warn_of_size(box, built.report.warnings);
+  warn_of_size(box, warnings);
   const Grid grid = make_grid(box, edge_m);
   Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
   const SamplePlaces places = mesh_samples();
@@ -346,7 +350,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   cut_away(claimed, options);
   if (options.measured) built.input_m = claimed.mesh;
   claimed.sources = source_records(inputs, built.report);
-  built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
+  built.bytes = assemble(std::move(claimed), options, warnings, progress);
   return built;
 }
 
@@ -433,6 +437,15 @@ void take_lattice(Lattice lattice, OrganParts& parts) {
   parts.voxel_fill = std::move(lattice.fill);
 }
 
+// What the readers said of the meshes that options name.
+void warn_of_meshes(const BuildOptions& options, std::vector<std::string>& warnings) {
+  const auto add = [&warnings](const auto& mesh) {
+    std::ranges::copy(mesh.notes, std::back_inserter(warnings));
+  };
+  std::ranges::for_each(options.held, add);
+  std::ranges::for_each(options.membranes, add);
+}
+
 }  // namespace
 
 double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress& progress) {
@@ -442,6 +455,7 @@ double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress
 
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
                                 std::vector<std::string>& warnings, const Progress& progress) {
+  warn_of_meshes(options, warnings);
   OrganParts parts;
   parts.name = options.name;
   const Given given = given_of(claimed, options);  // before gaps are filled

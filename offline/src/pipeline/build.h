@@ -42,7 +42,8 @@ struct Membrane {
   double at_m = 0;
   Mesh mesh_m;  // of others
   double metres_per_unit = 1;
-  std::string sha256;  // of a file
+  std::string sha256;              // of a file
+  std::vector<std::string> notes;  // warnings of who read it
 };
 
 struct BuildOptions {

@@ -167,7 +167,7 @@ void warn_of_outside(const Membrane& membrane, const Mesh& mesh, const MembraneL
 }  // namespace
 
 std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
-                                      double metres_per_unit) {
+                                      const MeshUnits& units) {
   std::vector<Membrane> membranes;
   for (const std::string& text : texts) {
     const std::size_t colon = text.rfind(':');
@@ -183,10 +183,11 @@ std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
       membrane.at_m = plane_m(text, membrane.from);
     } else {
       ReadMesh read = read_mesh(membrane.from);
+      membrane.metres_per_unit = take_metres(read, membrane.from, units);
       membrane.mesh_m = std::move(read.mesh);
       membrane.sha256 = read.sha256;
-      membrane.metres_per_unit = metres_per_unit;
-      for (Vec& p : membrane.mesh_m.points) p = p * metres_per_unit;
+      membrane.notes = std::move(read.notes);
+      scale_to_metres(membrane.mesh_m, membrane.from, membrane.metres_per_unit);
       constexpr double kFarthestM = 8;  // as the organ format has it
       const Box box = bounds(membrane.mesh_m);
       for (const Vec& p : {box.low, box.high}) {

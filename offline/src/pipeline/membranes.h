@@ -19,7 +19,7 @@ namespace stylet::offline {
 // Each text is MESH:TISSUE, a surface as it is in the file, open or closed; or x=MM:TISSUE, also
 // with y and z, a plane through the whole organ.
 std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
-                                      double metres_per_unit);
+                                      const MeshUnits& units);
 
 // For the organ's provenance.
 std::vector<SourceRecord> membrane_records(const std::vector<Membrane>& membranes);

@@ -67,6 +67,13 @@ void choose_layers(const Settings& s, const std::vector<std::string>& tissues,
                                       s.layers_along, joined(s.layers));
 }
 
+// A file that says its unit is built in that unit again only without the option.
+std::string units_text(const Settings& s, const std::vector<Input>& inputs) {
+  if (!s.units.empty()) return " --units " + s.units;
+  const auto says = [](const Input& input) { return input.read.metres_per_unit.has_value(); };
+  return std::ranges::any_of(inputs, says) ? "" : " --units mm";
+}
+
 // Refused with the name of the recipe, which names the tissue.
 std::string tissue_of_recipe(const BuildOptions& options, const LabelSource& source,
                              const std::string& name) try {
@@ -81,16 +88,22 @@ const char* tool_version() {
   return "stylet-organ " STYLET_VERSION;
 }
 
-BuildOptions common_options(const Settings& s, double metres_per_unit) {
+MeshUnits units_of(const Settings& s) {
+  MeshUnits units{.scale = s.scale};
+  if (!s.units.empty()) units.given_m = kMetresPerUnit.at(s.units);
+  return units;
+}
+
+BuildOptions common_options(const Settings& s, const MeshUnits& units) {
   BuildOptions options;
   options.name = s.name;
   options.voxel_edge_m = s.voxel_mm * 1e-3;
   require_voxel_edge(options.voxel_edge_m);
   options.voxels_across = s.voxels_across;
-  options.held = parse_regions(s.fix, metres_per_unit);
+  options.held = parse_regions(s.fix, units);
   options.crop = parse_crop(s.crop);
   if (!s.materials.empty()) options.own_tissues = read_tissues(s.materials);
-  options.membranes = parse_membranes(s.membranes, metres_per_unit);
+  options.membranes = parse_membranes(s.membranes, units);
   for (const Membrane& membrane : options.membranes) {
     (void)find_tissue(options.own_tissues, membrane.tissue);
   }
@@ -173,8 +186,8 @@ void choose_for_labels(const Settings& s, const LabelSource& source, const Recip
 
 void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, BuildOptions& options) {
   options.wrap = s.wrap;
-  options.options_text +=
-      fmt::format(" --units {} --scale {}{}", s.units, s.scale, s.wrap ? " --wrap" : "");
+  options.options_text += units_text(s, inputs);
+  options.options_text += fmt::format(" --scale {}{}", s.scale, s.wrap ? " --wrap" : "");
   if (options.name.empty()) {
     options.name = std::filesystem::path(inputs.front().path).stem().string();
   }

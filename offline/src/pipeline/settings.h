@@ -31,7 +31,7 @@ struct Settings {
   std::string fill_gaps;               // TISSUE:MM
   bool split_gaps = false;
   // Of meshes.
-  std::string units = "mm";
+  std::string units;  // a key of kMetresPerUnit; empty: each file's own, or mm
   double scale = 1;
   bool wrap = false;
 };
@@ -39,8 +39,11 @@ struct Settings {
 // The first words of the line in an organ that says what made it.
 const char* tool_version();
 
-// `metres_per_unit` is for the meshes that hold the organ in place.
-BuildOptions common_options(const Settings& settings, double metres_per_unit);
+// What the settings say of the units of meshes.
+MeshUnits units_of(const Settings& settings);
+
+// `units` are those of the meshes that options name.
+BuildOptions common_options(const Settings& settings, const MeshUnits& units);
 
 // Each text is TISSUE:MM. `option` is the option that refusals name.
 std::vector<Layer> parse_layers(const std::vector<std::string>& texts, const char* option);

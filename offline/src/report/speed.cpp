@@ -87,7 +87,7 @@ std::vector<std::byte> gel_block(const std::array<int, 3>& voxels) {
                                {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   BuildOptions options;
   options.voxel_edge_m = kBlockEdgeM;
-  options.held = parse_regions({"z<10%"}, 1);
+  options.held = parse_regions({"z<10%"}, {});
   return build({input}, options, [](const char*, double) {}).bytes;
 }
 

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "base/refusal.h"
-#include "meshes/read_mesh.h"
 
 namespace stylet::offline {
 namespace {
@@ -69,11 +68,15 @@ Region parse_box(const Spelled& s) {
   return region;
 }
 
-Region parse_touching(const std::string& text, double metres_per_unit) {
+Region parse_touching(const std::string& text, const MeshUnits& units) {
   Region region;
   region.kind = Region::Kind::kTouching;
-  region.mesh_m = read_mesh(text.substr(kTouchingWord.size())).mesh;
-  for (Vec& p : region.mesh_m.points) p = p * metres_per_unit;
+  const std::string path = text.substr(kTouchingWord.size());
+  ReadMesh read = read_mesh(path);
+  const double metres_per_unit = take_metres(read, path, units);
+  region.mesh_m = std::move(read.mesh);
+  region.notes = std::move(read.notes);
+  scale_to_metres(region.mesh_m, path, metres_per_unit);
   return region;
 }
 
@@ -108,7 +111,7 @@ void hold_touched(const Grid& grid, const Region& region, std::vector<std::uint8
 
 }  // namespace
 
-std::vector<Region> parse_regions(const std::vector<std::string>& texts, double metres_per_unit,
+std::vector<Region> parse_regions(const std::vector<std::string>& texts, const MeshUnits& units,
                                   const std::string& option) {
   std::vector<Region> regions;
   for (const std::string& text : texts) {
@@ -117,7 +120,7 @@ std::vector<Region> parse_regions(const std::vector<std::string>& texts, double 
     } else if (text.starts_with(kBoxWord)) {
       regions.push_back(parse_box({option, text}));
     } else if (text.starts_with(kTouchingWord)) {
-      regions.push_back(parse_touching(text, metres_per_unit));
+      regions.push_back(parse_touching(text, units));
     } else {
       regions.push_back(parse_half_space({option, text}));
     }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "meshes/read_mesh.h"
 #include "voxels/voxelize.h"
 
 namespace stylet::offline {
@@ -24,11 +25,12 @@ struct Region {
   double bound = 0;      // metres, or a fraction of the extent
   bool is_fraction = false;
   Box box_m;
-  Mesh mesh_m;  // of kTouching
+  Mesh mesh_m;                     // of kTouching
+  std::vector<std::string> notes;  // warnings of who read that mesh
 };
 
 // An empty result means a free body. `option` is the option that refusals name.
-std::vector<Region> parse_regions(const std::vector<std::string>& texts, double metres_per_unit,
+std::vector<Region> parse_regions(const std::vector<std::string>& texts, const MeshUnits& units,
                                   const std::string& option = "--fix");
 
 // Whether a half-space or a box contains a point; its border is moved outward by `slack_m`.

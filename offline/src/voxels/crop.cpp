@@ -13,7 +13,7 @@ std::vector<Region> parse_crop(const std::vector<std::string>& texts) {
     refuse("--crop '{}': expected x>MM, x<MM (or y, z; MM may be N%) or box:X0,Y0,Z0,X1,Y1,Z1",
            text);
   }
-  return parse_regions(texts, 1, "--crop");
+  return parse_regions(texts, {}, "--crop");
 }
 
 std::vector<std::uint8_t> cut_cells(const Grid& grid, const Box& extent_m,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshes/mesh_text.h"
+#include "meshes/lines.h"
 
 #include <charconv>
 
@@ -7,21 +7,6 @@ namespace stylet::offline {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\v\f";
-// With more unreadable points than this, the file is not a damaged mesh but another kind of file.
-constexpr std::size_t kMaxBadPoints = 10'000;
-
-// 32 bits can count all points: read_file accepts 4 GiB, and a point takes at least 2 bytes.
-void add_checked(Collector& collector, Vec point, std::string place, std::string value) {
-  if (!finite(point)) {
-    if (collector.bad_points.size() >= kMaxBadPoints) {
-      refuse("{}: {}: {}: expected finite coordinates (more than {} points have none)",
-             collector.file, place, value, kMaxBadPoints);
-    }
-    collector.bad_points.push_back({static_cast<std::uint32_t>(collector.mesh.points.size()),
-                                    std::move(place), std::move(value)});
-  }
-  collector.mesh.points.push_back(point);
-}
 
 }  // namespace
 
@@ -53,7 +38,7 @@ std::string_view next_token(Lines& lines) {
   return token;
 }
 
-std::string_view token_across_lines(Lines& lines, const char* expected) {
+std::string_view token_across_lines(Lines& lines, std::string_view expected) {
   for (;;) {
     const std::string_view token = next_token(lines);
     if (!token.empty()) return token;
@@ -79,7 +64,7 @@ bool parse_integer(std::string_view token, std::int64_t& value_out) {
 }
 
 std::int64_t require_integer(const Lines& lines, std::string_view token, std::int64_t low,
-                             std::int64_t high, const char* expected) {
+                             std::int64_t high, std::string_view expected) {
   std::int64_t value = 0;
   if (!parse_integer(token, value) || value < low || value > high) {
     refuse_at(lines, token, fmt::format("{} from {} to {}", expected, low, high));
@@ -87,8 +72,19 @@ std::int64_t require_integer(const Lines& lines, std::string_view token, std::in
   return value;
 }
 
+std::size_t require_count(const Lines& lines, std::string_view token, std::size_t bytes_each,
+                          std::string_view what) {
+  std::int64_t count = 0;
+  if (!parse_integer(token, count)) count = -1;
+  return require_room(place_of(lines), shown(token), count, {lines.text.size(), bytes_each}, what);
+}
+
+Place place_of(const Lines& lines) {
+  return {lines.file, Place::Kind::kLine, lines.number};
+}
+
 void refuse_at(const Lines& lines, std::string_view value, std::string_view expected) {
-  refuse("{}:{}: {}: expected {}", lines.file, lines.number, shown(value), expected);
+  refuse_at(place_of(lines), shown(value), expected);
 }
 
 std::string shown(std::string_view token) {
@@ -101,54 +97,11 @@ std::string shown(std::string_view token) {
   return text.empty() ? "nothing" : "'" + text + "'";
 }
 
-void add_point(Collector& collector, const std::string_view (&tokens)[3], std::uint64_t line) {
+void add_point(Collector& collector, const std::string_view (&tokens)[3], const Place& place) {
   const Vec point{parse_number(tokens[0]), parse_number(tokens[1]), parse_number(tokens[2])};
-  std::string place;
-  std::string value;
-  if (!finite(point)) {
-    const std::size_t axis = std::isnan(point.x) ? 0 : std::isnan(point.y) ? 1 : 2;
-    place = fmt::format("{}", line);
-    value = shown(tokens[axis]);
-  }
-  add_checked(collector, point, std::move(place), std::move(value));
-}
-
-void add_point(Collector& collector, Vec point, std::string place) {
-  add_checked(
-      collector, point, std::move(place),
-      finite(point) ? std::string() : fmt::format("({}, {}, {})", point.x, point.y, point.z));
-}
-
-void add_polygon(Collector& collector, const std::vector<std::uint32_t>& corners) {
-  if (corners.size() < 3) {
-    ++collector.counts.short_faces;
-    return;
-  }
-  if (corners.size() > 3) ++collector.counts.polygons;
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    collector.mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-  }
-}
-
-ReadMesh finish(Collector&& collector) {
-  Mesh& mesh = collector.mesh;
-  if (mesh.triangles.empty()) {
-    refuse("{}: {} points, no usable face: expected faces with at least 3 corners", collector.file,
-           mesh.points.size());
-  }
-  std::vector<bool> used(mesh.points.size(), false);
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) used[corner] = true;
-  }
-  for (const Collector::BadPoint& bad : collector.bad_points) {
-    if (used[bad.point]) {
-      refuse("{}:{}: {}: expected finite numbers in a point that a face uses", collector.file,
-             bad.place, bad.value);
-    }
-    ++collector.counts.unusable_points;
-    mesh.points[bad.point] = {};
-  }
-  return {std::move(mesh), collector.counts, {}};
+  if (finite(point)) return add_point(collector, point, place);
+  const std::size_t axis = std::isnan(point.x) ? 0 : std::isnan(point.y) ? 1 : 2;
+  add_point(collector, point, place, shown(tokens[axis]));
 }
 
 }  // namespace stylet::offline
