@@ -274,26 +274,6 @@ void fill_filter(Model& model, const Counts& counts, float limit) {
   head.filter = choose_filter(limit, fastest);
 }
 
-// On a graded lattice with true mass no level but the coarsest needs more than its real mass: what
-// counts there are the bounds of its own voxels. Returns whether some motion is faster than the
-// step can follow.
-bool bound_coarse(Model& model, const Counts& counts, float limit) {
-  bool faster = false;
-  for (std::uint32_t i = 0; i < counts.particles; ++i) {
-    faster = faster || model.step_per_mass[i] > limit * model.particle_kg[i];
-  }
-  if (!faster) return false;
-  for (std::uint32_t z = 0; z <= counts.planes; ++z) {
-    const Plane& plane = model.plane[z];
-    for (std::uint32_t i = plane.particle_begin; i < plane.particle_end; ++i) {
-      model.step_per_mass[i] = plane.level > 0 ? 0
-                                               : model.bound[i] + model.hourglass_n_per_m[i] /
-                                                                      model.head->hourglass_weight;
-    }
-  }
-  return true;
-}
-
 // Attached particles do not move.
 void hold_attached(const Organ& organ, Model& model, const Counts& counts) {
   for (std::uint32_t voxel = 0; voxel < organ.voxel_fixed.size(); ++voxel) {
@@ -335,7 +315,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
     model.slot_bound[i] = 0.125F * corner_bound(model, i);
   }
   const bool filtered = head.config.inertia == Inertia::kTrueMass, graded = counts.levels > 1;
-  const bool cascade = filtered && graded && bound_coarse(model, counts, limit);
+  const bool cascade = filtered && graded && bound_coarse(model, limit);
   if (filtered && !graded) fill_filter(model, counts, limit);
   const float of_passes = cascade ? coarse_limit_per_s2(limit, counts.levels) : limit;
   const float most = filtered ? most_filtered_per_s2(of_passes) : limit;

@@ -10,9 +10,7 @@
 
 #include <cstdint>
 
-#include "organ/levels.h"
-#include "organ/runs.h"
-#include "stylet/organ.h"
+#include "state/layout.h"
 
 namespace stylet {
 

@@ -34,6 +34,11 @@ typedef float Four __attribute__((vector_size(16)));
 
 // At creation. `fine`: particles of the levels above 0.
 void count_ghosts(const Organ& organ, std::uint64_t fine, Counts& counts_io);
+// On entry step_per_mass has the bounds on stiffness with what hangs. No level but the coarsest
+// needs more than its real mass: afterwards step_per_mass has the bounds of the coarsest voxels
+// alone. Returns whether some motion is faster than the step can follow; else nothing changes, and
+// there is no cascade.
+bool bound_coarse(Model& model, float limit_per_s2);
 // Needs masses, with those that are attached. `limit`: of the step (filter.h).
 void fill_ghosts(const Organ& organ, Model& model, float limit_per_s2);
 // The part of the limit that is level 0's; so many levels.

@@ -13,11 +13,6 @@ constexpr std::uint32_t kMasters = 4;
 // many edges. Tissue that is torn farther loses momentum there.
 constexpr float kFarthest = 16;
 
-// One particle has one number in all its nodes.
-std::uint32_t particle_of(const Model& model, std::uint32_t node) {
-  return model.head->counts.sheets > 1 ? model.representative[node] : node;
-}
-
 // Where in its voxel a node lies, 0 to 1 along each axis.
 Vec3 place_in_voxel(const Organ& organ, const OrganHanging& h) {
   const std::uint32_t planes = organ.level_planes;

@@ -5,7 +5,6 @@
 #include <bit>
 
 #include "lattice/ghosts.h"
-#include "organ/levels.h"
 
 namespace stylet {
 namespace {

@@ -33,8 +33,8 @@ constexpr std::uint32_t kPassPlanes = 5;
 constexpr std::uint32_t kFilterArrays =
     2 * (kMaxFilterPasses + 1) + kPassPlanes * kMaxFilterPasses + 1;
 
-// A graded lattice keeps all planes of level 0, pass by pass (filter_passes.h): start values, bounds
-// and three iterates; and two planes of what voxels send, and the plane at work.
+// A graded lattice keeps all planes of level 0, pass by pass (filter_passes.h): start values,
+// bounds and three iterates; and two planes of what voxels send, and the plane at work.
 constexpr std::uint32_t kGradedArrays = 5, kGradedPlanes = 3;
 
 // Where a particle lies in an array of all planes' tiles, each plane from its first tile of nodes.

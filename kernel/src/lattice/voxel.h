@@ -62,7 +62,11 @@ inline Vec3 cell_of(const Model& model, std::uint32_t slot, const Row& row) {
 
 Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row);
 
-// Tied nodes are one particle: each gets the sum of their values.
+// Tied nodes are one particle: its number.
+inline std::uint32_t particle_of(const Model& model, std::uint32_t node) {
+  return model.head->counts.sheets > 1 ? model.representative[node] : node;
+}
+// Each of them gets the sum of their values.
 void sum_tied(const Model& model, float* of_node);
 
 // The best rotation of a matrix, searched near `start`.

@@ -14,18 +14,18 @@ namespace stylet {
 // Of a voxel of some level, with the skin spread over it: shear modulus, and lambda over twice that
 // modulus.
 struct LatticeMaterial {
-  float shear_pa, volume_ratio;
+  float shear_pa, volume_ratio;  // see above
 };
 
 // What the tick needs to know of a material; derived once.
 struct MaterialModel {
-  float shear_pa, poisson_ratio;  // without its thin skin
-  float skin_shear_n_per_m;       // of the skin: modulus times thickness
-  LatticeMaterial lattice[kMaxLevels];
-  float stiffening;
-  float puncture_exponent;
-  float relaxing_fraction, relaxation_time_s;
-  float real_kg, stepped_kg;
+  float shear_pa, poisson_ratio;               // without its thin skin
+  float skin_shear_n_per_m;                    // of the skin: modulus times thickness
+  LatticeMaterial lattice[kMaxLevels];         // of each level
+  float stiffening;                            // exponent b of strain stiffening; 0: none
+  float puncture_exponent;                     // of the speed
+  float relaxing_fraction, relaxation_time_s;  // of its forces
+  float real_kg, stepped_kg;                   // of its voxels; the second with what the step adds
 };
 
 // Where the paper's rules differ from the physical model (PHYSICS 16). Filled once from
@@ -44,7 +44,7 @@ struct Rules {
 
 // One level of the lattice; level 0 is the coarsest, each has half the edge of the one before.
 struct Level {
-  float edge_m, inverse_edge_per_m;
+  float edge_m, inverse_edge_per_m;   // of its voxels
   std::uint32_t first_plane, planes;  // voxel planes in the lattice (organ/levels.h)
 };
 

@@ -47,15 +47,15 @@ struct TiedNode {
 // masters: with their weights, which add up to 1. Less than four masters: the others' weights are
 // 0.
 struct HangingNode {
-  std::uint32_t node, master[4];
-  float weight[4];
+  std::uint32_t node, master[4];  // particles
+  float weight[4];                // of the masters
 };
 // What a node gives to another of all that it has got, listed by the one that gets it. Of a hanging
 // node in the sweep: the weight, times the master's mobility over the node's own.
 struct HangingShare {
-  std::uint32_t to, from;
-  float share;
-  std::uint32_t count;  // of the shares from here on that go to this node from one level's nodes
+  std::uint32_t to, from;  // particles, or nodes of the cascade
+  float share;             // of what `from` has
+  std::uint32_t count;     // of the shares from here on that go to this node from one level's nodes
 };
 
 // A cell of some level in which there are finer voxels (lattice/ghosts.h).
