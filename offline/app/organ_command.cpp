@@ -146,6 +146,15 @@ void add_common(CLI::App& command, CommonArguments& a) {
           "by default. Can be given several times")
       ->type_name("SLIDE")
       ->allow_extra_args(false);
+  command
+      .add_option("--refine", a.refine,
+                  "Where voxels are finer: way:X,Y,Z:X,Y,Z:RADIUS_MM, around a needle's way from "
+                  "entry to target; box:X,Y,Z:X,Y,Z; labels:TISSUE,TISSUE, where these tissues "
+                  "are; surface, the outer one; in mm of the organ's frame. Each may end in "
+                  ":LEVELS, 1 to 3: how many times the edge is halved there. Can be given several "
+                  "times")
+      ->type_name("WHERE")
+      ->allow_extra_args(false);
   command.add_option("--materials", a.materials, "TOML file with tissues of your own")
       ->type_name("FILE");
   command
