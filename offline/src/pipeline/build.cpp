@@ -438,15 +438,16 @@ Held held_of(const Tissue& tissue, const std::vector<Tissue>& materials,
   return all;
 }
 
-void warn_of_losses(const std::vector<Held>& held, const std::vector<Claims>& levels,
+void warn_of_losses(const std::vector<Held>& held, const std::vector<Lattice>& lattices,
                     const Given& given, const std::vector<Tissue>& materials,
                     std::vector<std::string>& warnings) {
-  const double edge_m = levels.front().grid.edge_m;
+  const bool has_levels = lattices.size() > 1;
+  const double finest_m = has_levels ? lattices.back().grid.edge_m : 0;
   for (std::size_t i = 0; i < given.tissues.size(); ++i) {
     const Tissue& tissue = given.tissues[i];
     const std::string text =
         loss((given.is_layer[i] ? "layer " : "tissue ") + tissue.name, given.volume_m3[i],
-             held_of(tissue, materials, held, levels.size() > 1), edge_m);
+             held_of(tissue, materials, held, has_levels), lattices.front().grid.edge_m, finest_m);
     if (!text.empty()) warnings.push_back(text);
   }
 }
@@ -533,7 +534,7 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   for (std::size_t level = 0; level < lattices.size(); ++level) {
     add_tissues(claimed.levels[level], lattices[level], claimed, options, materials, parts, held);
   }
-  warn_of_losses(held, claimed.levels, given, materials.tissues, warnings);
+  warn_of_losses(held, lattices, given, materials.tissues, warnings);
   parts.membranes = place_membranes(options.membranes, lattices.front(), materials, warnings);
   SlideLists slides = place_slides(options.slides, claimed, lattices.front(), warnings);
   parts.slide_points = std::move(slides.points);
