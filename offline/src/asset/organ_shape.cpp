@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "base/levels.h"
+#include "stylet/levels.h"
 
 namespace stylet::offline {
 
@@ -19,7 +19,7 @@ std::vector<Cell> lattice_cells_of(const Organ& organ) {
 std::vector<Cell> cells_of(const Organ& organ) {
   std::vector<Cell> cells = lattice_cells_of(organ);
   for (Cell& cell : cells) {
-    const std::uint32_t level = level_of_plane(organ.level_planes, cell[2]);
+    const std::uint32_t level = stylet::level_of(organ.level_planes, cell[2]);
     cell[1] %= organ.sheet_rows;
     cell[2] -= first_plane(organ.level_planes, level);
     cell.size = 1U << (organ.levels - 1U - level);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxels/hanging.h"
 
-#include "base/levels.h"
+#include "stylet/levels.h"
 #include "voxels/attach.h"
 
 namespace stylet::offline {

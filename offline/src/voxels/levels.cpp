@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "voxels/levels.h"
 
-#include "base/levels.h"
 #include "base/refusal.h"
+#include "stylet/levels.h"
 #include "stylet/limits.h"
 
 namespace stylet::offline {
