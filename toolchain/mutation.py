@@ -172,6 +172,9 @@ OFFLINE = {
                     [["offline_wrap_test", "--gtest_filter=Holes.*"], ["offline_wrap_test"],
                      ["offline_solid_test", "--gtest_filter=Volume.*"], ORGANS]),
     "meshes/simplify": [MAPS, REAL_BODY],
+    **dict.fromkeys(("base/refinement", "pipeline/refine", "voxels/hanging", "voxels/levels"),
+                    [["offline_refine_test", "--gtest_filter=RefineTexts.*"],
+                     ["offline_refine_test"]]),
     "voxels/sweep": [["offline_quality_test", "--gtest_filter=Fit.*"]],
 }
 # Reports, which nothing is built from.

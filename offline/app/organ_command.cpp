@@ -185,7 +185,9 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   check_outputs(a);
   const Stepping stepping = stepping_of(a);
   const std::optional<Machine> machine = chosen_machine(a);
-  if (machine) options.most_voxels = most_voxels(*machine, stepping);
+  if (machine) {
+    options.most_voxels = most_voxels(*machine, stepping, !options.refinements.empty());
+  }
   const Progress progress = progress_bar();
   const Built built = make(options, progress);
   outputs.add(a.output, built.bytes);

@@ -235,8 +235,9 @@ double tick_us(const Machine& machine, double voxels, std::uint32_t substeps,
          (machine.us_per_voxel_substep + machine.us_per_voxel_pass * passes) * voxels * substeps;
 }
 
-std::uint32_t most_voxels(const Machine& machine, const Stepping& stepping) {
-  const std::uint32_t passes = stepping.inertia == Inertia::kTrueMass ? kMaxFilterPasses : 0;
+std::uint32_t most_voxels(const Machine& machine, const Stepping& stepping, bool has_levels) {
+  const std::uint32_t most = has_levels ? kMaxGradedPasses : kMaxFilterPasses;
+  const std::uint32_t passes = stepping.inertia == Inertia::kTrueMass ? most : 0;
   const double room_us = stepping.period_s * 1e6 * kShareOfPeriod - machine.start_us;
   const double voxels =
       room_us / (tick_us(machine, 1, stepping.substeps, passes) - machine.start_us);

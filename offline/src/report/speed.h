@@ -47,8 +47,9 @@ std::optional<double> time_tick(const Organ& organ, const Stepping& stepping);
 std::uint32_t passes_of(const Organ& organ, const Stepping& stepping);
 double tick_us(const Machine& machine, double voxels, std::uint32_t substeps, std::uint32_t passes);
 // Assumes the highest number of passes: before the organ is built, nobody knows how many it needs.
-// Refuses a period too short for any voxel.
-std::uint32_t most_voxels(const Machine& machine, const Stepping& stepping);
+// Organs with several levels may need more. Refuses a period too short for any voxel.
+std::uint32_t most_voxels(const Machine& machine, const Stepping& stepping,
+                          bool has_levels = false);
 
 // Period in seconds of "1kHz", "500 Hz"; refuses rates at which the kernel does not run.
 double period_of(const std::string& rate);
