@@ -152,7 +152,7 @@ OFFLINE = {
                      "voxels/sheets", "voxels/cell_parts", "voxels/gaps", "asset/sphere_tree",
                      "pipeline/voxel_materials", "asset/organ_shape", "voxels/attach",
                      "voxels/crop", "asset/write_organ", "pipeline/build"), VOXELS),
-    **dict.fromkeys(("voxels/cell_walk", "voxels/losses"),
+    **dict.fromkeys(("voxels/cell_walk", "voxels/losses", "pipeline/given"),
                     [LOSSES, ["offline_losses_test", "--gtest_filter=Obstacles.*"]]),
     "pipeline/settings": [["offline_organ_test", "--gtest_filter=Settings.*"]],
     **dict.fromkeys(("meshes/phantom", "meshes/implicit_mesh"),

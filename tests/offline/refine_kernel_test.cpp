@@ -70,8 +70,8 @@ double off(const std::vector<Vec3>& felt, const std::vector<Vec3>& wanted) {
   return std::sqrt(difference / all);
 }
 
-// Fine around its way, a needle feels what it would feel if all were fine (kernel/decisions/30). The
-// script's first cycle goes in 7.4 and 3.1 mm beside its entry, tilted by 0.12.
+// Fine around its way, a needle feels what it would feel if all were fine (kernel/decisions/30).
+// The script's first cycle goes in 7.4 and 3.1 mm beside its entry, tilted by 0.12.
 TEST(Refine, ANeedleFeelsTheFineTissueAroundItsWay) {
   const std::vector<Vec3> fine = felt_n(block(2.5, {}));
   EXPECT_GT(off(felt_n(block(5, {})), fine), 0.05);

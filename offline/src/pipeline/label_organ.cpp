@@ -209,21 +209,23 @@ SamplePlaces map_samples() {
 }
 
 // Volume of labels that a sample of each group represents.
-std::vector<double> sample_volumes(double edge_m, BuildReport& report) {
-  const double sample_m3 = edge_m * edge_m * edge_m / 64;
+std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
+  const double sample_m3 = grid.edge_m * grid.edge_m * grid.edge_m / 64;
   std::vector<double> volumes;
   for (const LabelReport& label : report.labels) {
     const bool sampled = label.filled_volume_m3 > 0;
     volumes.push_back(sampled ? sample_m3 * label.map_volume_m3 / label.filled_volume_m3 : 0);
     const std::string text =
-        sampled ? "" : loss("labels of " + label.tissue, label.map_volume_m3, {}, edge_m);
+        sampled ? "" : loss("labels of " + label.tissue, label.map_volume_m3, {}, grid.edge_m);
     if (!text.empty()) report.warnings.push_back(text);
   }
   return volumes;
 }
 
-void measure_shares(const Claims& claims, const LabelMap& map, const Groups& groups,
-                    BuildReport& report) {
+void measure_shares(const Claimed& claimed, const LabelMap& map, const Groups& groups,
+                    const BuildOptions& options, BuildReport& report) {
+  const Claims& claims = claimed.levels.back();
+  if (!options.split) report.closed_gaps = closed_gaps(claims, claimed.places);
   const std::size_t count = report.labels.size();
   const std::vector<double> given_m3 = given_volumes_m3(claims, count);
   const std::vector<PieceCount> pieces = label_pieces(claims, map, groups, count);
@@ -313,17 +315,12 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   warn_of_missing(recipe.obstacles, built.obstacles, &NamedHull::obstacle, built.report);
   warn_of_missing(recipe.targets, built.targets, &Target::name, built.report);
   claimed.levels = claim_levels(grid, halvings, map, groups, built.report.labels, progress);
-  const Claims& finest = claimed.levels.back();
-  const double finest_m = finest.grid.edge_m;
-  if (options.measured) {
-    measure_shares(finest, map, groups, built.report);
-    if (!options.split) built.report.closed_gaps = closed_gaps(finest, claimed.places);
-  }
+  if (options.measured) measure_shares(claimed, map, groups, options, built.report);
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,
                       0, static_cast<std::uint32_t>(claimed.mesh.triangles.size())}};
   cut_away(claimed, options);
   warn_of_obstacles(built.obstacles, built.report.warnings);
-  claimed.sample_m3 = sample_volumes(finest_m, built.report);
+  claimed.sample_m3 = sample_volumes(claimed.levels.back().grid, built.report);
   built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
   return built;
 }
