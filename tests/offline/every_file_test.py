@@ -16,6 +16,8 @@ import sys
 import tempfile
 import unittest
 
+import numpy as np
+
 SOURCE = pathlib.Path(os.environ.get("STYLET_SOURCE", pathlib.Path(__file__).parents[2]))
 TOOL = pathlib.Path(os.environ.get("STYLET_BIN", SOURCE / "build/bin")) / "stylet-organ"
 DATA = pathlib.Path(os.environ.get("STYLET_DATA", SOURCE.parent / "shared/data"))
