@@ -153,7 +153,7 @@ OFFLINE = {
                      "voxels/sheets", "voxels/cell_parts", "voxels/gaps", "asset/sphere_tree",
                      "pipeline/voxel_materials", "asset/organ_shape", "voxels/attach",
                      "voxels/crop", "asset/write_organ", "pipeline/build"), VOXELS),
-    **dict.fromkeys(("voxels/cell_walk", "voxels/losses"),
+    **dict.fromkeys(("voxels/cell_walk", "voxels/losses", "pipeline/given"),
                     [LOSSES, ["offline_losses_test", "--gtest_filter=Obstacles.*"]]),
     "pipeline/settings": [["offline_organ_test", "--gtest_filter=Settings.*"]],
     **dict.fromkeys(("meshes/phantom", "meshes/implicit_mesh"),
@@ -173,6 +173,9 @@ OFFLINE = {
                     [["offline_wrap_test", "--gtest_filter=Holes.*"], ["offline_wrap_test"],
                      ["offline_solid_test", "--gtest_filter=Volume.*"], ORGANS]),
     "meshes/simplify": [MAPS, REAL_BODY],
+    **dict.fromkeys(("base/refinement", "pipeline/refine", "voxels/hanging", "voxels/levels"),
+                    [["offline_refine_test", "--gtest_filter=RefineTexts.*"],
+                     ["offline_refine_test"]]),
     "voxels/sweep": [["offline_quality_test", "--gtest_filter=Fit.*"]],
 }
 # Reports, which nothing is built from.

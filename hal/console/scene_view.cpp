@@ -3,16 +3,21 @@
 
 #include <limits>
 
+#include "stylet/levels.h"
+
 namespace stylet::console {
 namespace {
 
 constexpr std::uint32_t kUnnamed = std::numeric_limits<std::uint32_t>::max();
 
+// Of a node, by its place in the lattice, whose planes say the level.
 stylet::Vec3 corner_at(const Organ& organ, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  const float h = organ.voxel_edge_m;
+  const std::uint32_t level = level_of(organ.level_planes, z);
+  const float h = organ.voxel_edge_m * edge_ratio(level);
+  const std::uint32_t above = z - first_plane(organ.level_planes, level);
   return {organ.origin_m.x + h * static_cast<float>(x),
           organ.origin_m.y + h * static_cast<float>(y),
-          organ.origin_m.z + h * static_cast<float>(z)};
+          organ.origin_m.z + h * static_cast<float>(above)};
 }
 
 }  // namespace

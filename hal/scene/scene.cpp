@@ -12,6 +12,7 @@
 #include "hal/scene/bodies.h"
 #include "hal/scene/guard.h"
 #include "hal/scene/section.h"
+#include "stylet/levels.h"
 #include "stylet/limits.h"
 
 namespace stylet::hal {
@@ -241,12 +242,15 @@ Vec3 voxel_centroid(const Organ& organ) {
   double sum[3] = {}, weight = 0;
   std::size_t voxel = 0;
   for (const OrganRun& run : organ.runs) {
+    const std::uint32_t level = level_of(organ.level_planes, run.z);
+    const std::uint32_t z = run.z - first_plane(organ.level_planes, level);
+    const auto ratio = static_cast<double>(edge_ratio(level));
     for (std::uint32_t i = 0; i < run.count; ++i, ++voxel) {
-      const double fill = organ.voxel_fill[voxel];
-      sum[0] += fill * (run.x + i + 0.5);
-      sum[1] += fill * (run.y % organ.sheet_rows + 0.5);
-      sum[2] += fill * (run.z + 0.5);
-      weight += fill;
+      const double volume = organ.voxel_fill[voxel] * ratio * ratio * ratio;
+      sum[0] += volume * (run.x + i + 0.5) * ratio;
+      sum[1] += volume * (run.y % organ.sheet_rows + 0.5) * ratio;
+      sum[2] += volume * (z + 0.5) * ratio;
+      weight += volume;
     }
   }
   const double edge = static_cast<double>(organ.voxel_edge_m) / weight;
@@ -306,8 +310,9 @@ Placement place_needle(const Scene& scene, const Organ& organ, std::uint32_t nee
   const Vec3 direction = approach.direction;
   // Far enough to be outside in every direction: farther than the lattice is wide.
   const float cells = static_cast<float>(organ.size_x) + static_cast<float>(organ.size_y) +
-                      static_cast<float>(organ.size_z);
-  const float away = cells * organ.voxel_edge_m + std::fabs(through.x - organ.origin_m.x) +
+                      static_cast<float>(organ.level_planes << (organ.levels - 1U));
+  const float finest_m = organ.voxel_edge_m * edge_ratio(organ.levels - 1U);
+  const float away = cells * finest_m + std::fabs(through.x - organ.origin_m.x) +
                      std::fabs(through.y - organ.origin_m.y) +
                      std::fabs(through.z - organ.origin_m.z);
   const Vec3 outside = through - away * direction;

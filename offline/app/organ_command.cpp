@@ -66,6 +66,34 @@ void add_resolution(CLI::App& command, CommonArguments& a) {
       ->check(cli::between(1U, kMaxSubsteps));
 }
 
+// What there is besides voxels of one size that are joined.
+void add_surfaces_and_sizes(CLI::App& command, CommonArguments& a) {
+  command
+      .add_option("--membrane", a.membranes,
+                  "Surface thinner than a voxel, with its tissue: MESH:TISSUE, in the frame and "
+                  "units of the meshes; or x=MM:TISSUE, also with y and z, a plane through the "
+                  "whole organ. The needle meets it where it lies. Can be given several times")
+      ->type_name("MEMBRANE")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--slide", a.slides,
+          "Two tissues of inputs that are not joined, but lie on each other, slide and come "
+          "apart: TISSUE:GROUND or TISSUE:GROUND:FRICTION, with Coulomb's coefficient, 0.1 "
+          "by default. Can be given several times")
+      ->type_name("SLIDE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--refine", a.refine,
+                  "Where voxels are finer: way:X,Y,Z:X,Y,Z:RADIUS_MM, around a needle's way from "
+                  "entry to target; box:X,Y,Z:X,Y,Z; labels:TISSUE,TISSUE, where these tissues "
+                  "are; surface, the outer one; in mm of the organ's frame. Each may end in "
+                  ":LEVELS, 1 to 3: how many times the edge is halved there. Can be given several "
+                  "times")
+      ->type_name("WHERE")
+      ->allow_extra_args(false);
+}
+
 // Limits the heap and our private mappings; allocations beyond fail as if memory were exhausted.
 void limit_memory(std::uint64_t bytes) {
   constexpr std::uint64_t kLeast = std::uint64_t{64} << 20U;
@@ -131,21 +159,7 @@ void add_common(CLI::App& command, CommonArguments& a) {
           "times: what lies in all of them stays. The organ is held where it is cut")
       ->type_name("REGION")
       ->allow_extra_args(false);
-  command
-      .add_option("--membrane", a.membranes,
-                  "Surface thinner than a voxel, with its tissue: MESH:TISSUE, in the frame and "
-                  "units of the meshes; or x=MM:TISSUE, also with y and z, a plane through the "
-                  "whole organ. The needle meets it where it lies. Can be given several times")
-      ->type_name("MEMBRANE")
-      ->allow_extra_args(false);
-  command
-      .add_option(
-          "--slide", a.slides,
-          "Two tissues of inputs that are not joined, but lie on each other, slide and come "
-          "apart: TISSUE:GROUND or TISSUE:GROUND:FRICTION, with Coulomb's coefficient, 0.1 "
-          "by default. Can be given several times")
-      ->type_name("SLIDE")
-      ->allow_extra_args(false);
+  add_surfaces_and_sizes(command, a);
   command.add_option("--materials", a.materials, "TOML file with tissues of your own")
       ->type_name("FILE");
   command
@@ -176,7 +190,9 @@ void finish(const std::function<Built(const BuildOptions&, const Progress&)>& ma
   check_outputs(a);
   const Stepping stepping = stepping_of(a);
   const std::optional<Machine> machine = chosen_machine(a);
-  if (machine) options.most_voxels = most_voxels(*machine, stepping);
+  if (machine) {
+    options.most_voxels = most_voxels(*machine, stepping);
+  }
   const Progress progress = progress_bar();
   const Built built = make(options, progress);
   outputs.add(a.output, built.bytes);

@@ -16,6 +16,8 @@ import sys
 import tempfile
 import unittest
 
+import numpy as np
+
 SOURCE = pathlib.Path(os.environ.get("STYLET_SOURCE", pathlib.Path(__file__).parents[2]))
 TOOL = pathlib.Path(os.environ.get("STYLET_BIN", SOURCE / "build/bin")) / "stylet-organ"
 DATA = pathlib.Path(os.environ.get("STYLET_DATA", SOURCE.parent / "shared/data"))
@@ -142,6 +144,30 @@ class OrganFiles(Case):
             ml = fill[organ["voxel_material"] == i].sum() * (organ["voxel_edge_m"] * 100) ** 3
             self.assertAlmostEqual(ml, material["volume_ml"], delta=1e-5 * ml)
 
+    def test_python_places_the_voxels_of_all_levels(self):
+        sys.path.insert(0, str(SOURCE / "offline/analysis"))
+        from read_organ import read_organ, voxel_cubes
+        path = self.folder / "a.organ"
+        self.tool("phantom", "ball", "--voxel-mm", 8, "--refine", "box:0,0,0:9,9,9:2", "-o", path)
+        organ, facts = read_organ(path), self.facts("info", path)
+        self.assertEqual([level["voxels"] > 0 for level in facts["levels"]], 3 * [True])
+        low_m, edge_m = voxel_cubes(organ)
+        for level in facts["levels"]:
+            there = abs(edge_m * 1e3 - level["voxel_edge_mm"]) < 1e-5
+            self.assertEqual(there.sum(), level["voxels"])
+        # On a ball, however large the voxels are; and a vertex lies where its voxel says.
+        v = organ["vertices"]
+        part = np.stack([v["f1"], v["f2"], v["f3"]], 1) / 65535
+        place_m = low_m[v["f0"]] + part * edge_m[v["f0"], None]
+        np.testing.assert_allclose(np.linalg.norm(place_m, axis=1), 0.03, rtol=1e-4)
+        # Each place inside is in one voxel.
+        inside_m = np.random.default_rng(1).normal(size=(200, 3))
+        inside_m *= 0.028 * np.random.default_rng(2).random((200, 1)) / np.linalg.norm(
+            inside_m, axis=1, keepdims=True)
+        off_m = inside_m[:, None] - low_m
+        within = ((off_m >= 0) & (off_m < edge_m[:, None])).all(2)
+        np.testing.assert_array_equal(within.sum(1), 1)
+
     def test_other_versions_and_files_are_refused_by_both(self):
         sys.path.insert(0, str(SOURCE / "offline/analysis"))
         from read_organ import read_organ
@@ -154,7 +180,7 @@ class OrganFiles(Case):
         data[version] = 6
         path.write_bytes(data)
         self.check_refused(self.tool("check", path), "expected version 1 to 5")
-        with self.assertRaisesRegex(ValueError, "format version 6: expected 1 to 4"):
+        with self.assertRaisesRegex(ValueError, "format version 6: expected 1 to 5"):
             read_organ(path)
         with self.assertRaisesRegex(ValueError, "expected the letters STLO"):
             read_organ(RECIPE)

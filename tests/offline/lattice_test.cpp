@@ -256,7 +256,7 @@ TEST(Lattice, EmbedsEveryPointToHalfAQuantum) {
     const offline::Lattice lattice = offline::make_lattice(claims, points);
     std::vector<offline::Triangle> triangles;
     for (std::uint32_t i = 0; i + 2 < points.size(); i += 3) triangles.push_back({i, i + 1, i + 2});
-    const offline::Surface surface = offline::embed(lattice, points, triangles);
+    const offline::Surface surface = offline::embed({&lattice, 1}, points, triangles);
     ASSERT_EQ(surface.vertices.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const OrganVertex& v = surface.vertices[i];
@@ -319,7 +319,7 @@ TEST(Lattice, AVertexOfASharedCellBelongsToTheVoxelBelowIt) {
       const Vec in_cell{across[(3 - axis) % 3], across[(4 - axis) % 3], across[(5 - axis) % 3]};
       points.push_back(lattice.grid.origin_m + in_cell * lattice.grid.edge_m);
     }
-    const offline::Surface surface = offline::embed(lattice, points, {{0, 1, 2}});
+    const offline::Surface surface = offline::embed({&lattice, 1}, points, {{0, 1, 2}});
     const std::uint32_t below = faces_up ? 0 : 1;
     for (const OrganVertex& v : surface.vertices) EXPECT_EQ(v.voxel, below) << round;
     EXPECT_EQ(surface.voxel_of[0], below) << round;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "organ/levels.h"
 #include "organ/runs.h"
+#include "stylet/levels.h"
 #include "stylet/limits.h"
 
 namespace stylet {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/math.h"
-#include "organ/levels.h"
+#include "stylet/levels.h"
 #include "stylet/organ.h"
 
 namespace stylet {

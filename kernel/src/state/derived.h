@@ -45,7 +45,7 @@ struct Rules {
 // One level of the lattice; level 0 is the coarsest, each has half the edge of the one before.
 struct Level {
   float edge_m, inverse_edge_per_m;   // of its voxels
-  std::uint32_t first_plane, planes;  // voxel planes in the lattice (organ/levels.h)
+  std::uint32_t first_plane, planes;  // voxel planes in the lattice (stylet/levels.h)
 };
 
 }  // namespace stylet

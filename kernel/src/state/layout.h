@@ -16,7 +16,6 @@
 #include "laws/fracture.h"
 #include "needle/obstacle.h"
 #include "needle/rod.h"
-#include "organ/levels.h"
 #include "organ/runs.h"
 #include "state/derived.h"
 #include "state/lattice_plan.h"
@@ -24,6 +23,7 @@
 #include "state/needle_state.h"
 #include "state/slide.h"
 #include "stylet/kernel.h"
+#include "stylet/levels.h"
 #include "stylet/limits.h"
 #include "stylet/organ.h"
 

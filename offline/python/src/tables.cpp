@@ -91,6 +91,7 @@ Settings settings_of(const py::dict& options) {
   take("layers_along", s.layers_along, "a text");
   take("membranes", s.membranes, "a list of texts");
   take("slides", s.slides, "a list of texts");
+  take("refine", s.refine, "a list of texts");
   take("fill_gaps", s.fill_gaps, "a text");
   take("split_gaps", s.split_gaps, "True or False");
   take("wrap", s.wrap, "True or False");

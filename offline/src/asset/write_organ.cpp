@@ -14,7 +14,7 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4;
+constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4, kWithLevels = 5;
 
 // Our plain structs and the generated structs have the same bytes.
 template <typename Theirs, typename Mine>
@@ -84,6 +84,12 @@ Offset<format::Slides> write_slides(FlatBufferBuilder& builder, const OrganParts
   return format::CreateSlides(builder, points, grounds);
 }
 
+Offset<format::Levels> write_levels(FlatBufferBuilder& builder, const OrganParts& parts) {
+  const auto hanging = write_structs<format::Hanging>(builder, parts.hanging);
+  return format::CreateLevels(builder, static_cast<std::uint8_t>(parts.levels),
+                              static_cast<std::uint16_t>(parts.level_planes), hanging);
+}
+
 void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   std::vector<Offset<format::Material>> materials;
   for (const Tissue& t : parts.materials) {
@@ -110,7 +116,10 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
       has_membranes ? write_membranes(builder, parts.membranes) : Offset<format::Membranes>();
   const bool has_slides = !parts.slide_points.empty();
   const auto slides = has_slides ? write_slides(builder, parts) : Offset<format::Slides>();
-  const std::uint32_t version = has_slides      ? kWithSlides
+  const bool has_levels = parts.levels > 1;
+  const auto levels = has_levels ? write_levels(builder, parts) : Offset<format::Levels>();
+  const std::uint32_t version = has_levels      ? kWithLevels
+                                : has_slides    ? kWithSlides
                                 : has_membranes ? kWithMembranes
                                                 : kFormatVersion;
   const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
@@ -122,7 +131,7 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
                           f(parts.origin_m.y), f(parts.origin_m.z), u(parts.size_x),
                           u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs, voxel_material,
                           voxel_fill, voxel_fixed, material_list, vertices, triangles, spheres,
-                          provenance, mixed, sheets, seal, membranes, slides));
+                          provenance, mixed, sheets, seal, membranes, slides, levels));
 }
 
 }  // namespace

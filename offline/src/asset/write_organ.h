@@ -31,6 +31,8 @@ struct OrganParts {
   double edge_m = 0;
   std::uint32_t size_x = 0, size_z = 0;      // of the lattice, in voxels
   std::uint32_t sheets = 1, sheet_rows = 0;  // sheets follow one another along y
+  std::uint32_t levels = 1, level_planes = 0;
+  std::vector<OrganHanging> hanging;  // only with several levels
   std::vector<OrganRun> runs;
   std::vector<OrganTie> ties;            // only with several sheets
   std::vector<OrganPart> cell_parts;     // only with several sheets

@@ -232,6 +232,19 @@ std::vector<Slide> read_slides(const std::string& file, const toml::node& node) 
   return slides;
 }
 
+std::vector<Refinement> read_refinements(const std::string& file, const toml::table& table) {
+  const toml::node* where = table.get("where");
+  const bool is_list = where != nullptr && where->is_array() && table.size() == 1;
+  if (!is_list) refuse("{}: [refine]: expected where = [TEXT...]", place_of(file, table));
+  std::vector<Refinement> refinements;
+  for (const toml::node& each : *where->as_array()) {
+    const std::string place = place_of(file, each) + ": [refine]";
+    if (!each.is_string()) refuse("{}: where: expected a list of texts", place);
+    refinements.push_back(parse_refinement(*each.value<std::string>(), place));
+  }
+  return refinements;
+}
+
 // Refuses labels that are both obstacle and tissue, since no needle enters an obstacle.
 void check_obstacles(const std::string& file, const Recipe& recipe) {
   if (recipe.obstacles.size() > kMaxObstacles) {
@@ -295,13 +308,13 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
   const Source source = {file, of_map};
   Recipe recipe;
   for (const auto& [key, node] : root) {
-    constexpr std::string_view kTables[] = {"names",   "tissues",  "crop",  "surface",
-                                            "wall",    "contact",  "slide", "obstacles",
-                                            "targets", "membranes"};
+    constexpr std::string_view kTables[] = {"names",   "tissues",   "crop",  "surface",
+                                            "wall",    "contact",   "slide", "obstacles",
+                                            "targets", "membranes", "refine"};
     if (std::find(std::begin(kTables), std::end(kTables), key.str()) == std::end(kTables)) {
       refuse(
           "{}: {}: expected [names], [tissues], [crop], [surface], [[wall]], [contact], "
-          "[[slide]], [obstacles], [targets] or [membranes]",
+          "[[slide]], [refine], [obstacles], [targets] or [membranes]",
           place_of(file, node), key.str());
     }
   }
@@ -311,6 +324,9 @@ Recipe recipe_of(const toml::table& root, const std::string& file, const FileNam
   if (root.contains("contact")) read_contact(file, table_of(file, root, "contact"), recipe);
   if (root.contains("wall")) recipe.wall = read_wall(file, *root.get("wall"));
   if (root.contains("slide")) recipe.slides = read_slides(file, *root.get("slide"));
+  if (root.contains("refine")) {
+    recipe.refinements = read_refinements(file, table_of(file, root, "refine"));
+  }
   for (const auto& [key, list] :
        {std::pair{"obstacles", &recipe.obstacles}, std::pair{"targets", &recipe.targets},
         std::pair{"membranes", &recipe.membranes}}) {

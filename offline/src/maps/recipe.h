@@ -29,6 +29,9 @@
 //   on = "muscle"
 //   friction = 0.1     # optional: this is the default
 //
+//   [refine]           # optional: where voxels are finer, in the words of base/refinement.h
+//   where = ["labels:vessel:2", "surface"]
+//
 //   [obstacles]        # optional: bodies no needle enters, each the convex hull of some labels
 //   rib = ["rib_right_9"]
 //
@@ -50,6 +53,7 @@
 #include <string>
 #include <vector>
 
+#include "base/refinement.h"
 #include "base/slide.h"
 #include "stylet/limits.h"
 
@@ -83,6 +87,7 @@ struct Recipe {
   std::vector<NamedLabels> targets = {};
   std::vector<NamedLabels> membranes = {};  // by tissue
   std::vector<Slide> slides = {};
+  std::vector<Refinement> refinements = {};
 };
 
 // Names that the file of a label map gives to its labels; may be empty.

@@ -3,18 +3,20 @@
 
 #include <bit>
 #include <filesystem>
-#include <numbers>
 
 #include "base/most_off.h"
 #include "base/refusal.h"
+#include "pipeline/given.h"
 #include "pipeline/membranes.h"
 #include "pipeline/pieces.h"
+#include "pipeline/refine.h"
 #include "pipeline/slides.h"
 #include "pipeline/voxel_materials.h"
 #include "pipeline/wrapping.h"
 #include "stylet/limits.h"
 #include "voxels/crop.h"
 #include "voxels/gaps.h"
+#include "voxels/hanging.h"
 #include "voxels/losses.h"
 #include "voxels/mixed.h"
 #include "voxels/sample_cell.h"
@@ -87,14 +89,12 @@ InputReport report_of(const Input& input, const Solid& solid, const Occupancy& o
   return report;
 }
 
-std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Claimed& claimed,
-                                        const std::vector<Region>& held_regions) {
-  if (held_regions.empty() && claimed.cut.empty()) return {};
+// Adds those of a level's voxels.
+void add_fixed_corners(const Lattice& lattice, const Claimed& claimed, std::uint32_t level,
+                       const std::vector<Region>& held_regions, std::vector<std::uint8_t>& fixed) {
   const Grid& grid = lattice.grid;
   std::vector<std::uint8_t> held = held_corners(grid, claimed.box, held_regions);
-  hold_cut(claimed.claims, claimed.cut, held);
-  std::vector<std::uint8_t> fixed;
-  bool any = false;
+  hold_cut(claimed.levels[level], inherited(claimed.cut, grid, level), held);
   for (const std::uint32_t cell : lattice.cell_of_voxel) {
     const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
     const std::uint32_t y = row % grid.size[1], z = row / grid.size[1];
@@ -104,10 +104,19 @@ std::vector<std::uint8_t> fixed_corners(const Lattice& lattice, const Claimed& c
           corner_index(grid, x + (corner & 1U), y + (corner >> 1U & 1U), z + (corner >> 2U));
       bits |= static_cast<std::uint32_t>(held[at]) << corner;
     }
-    any = any || bits != 0;
     fixed.push_back(static_cast<std::uint8_t>(bits));
   }
-  if (!any)
+}
+
+std::vector<std::uint8_t> fixed_corners(const std::vector<Lattice>& lattices,
+                                        const Claimed& claimed,
+                                        const std::vector<Region>& held_regions) {
+  if (held_regions.empty() && claimed.cut.empty()) return {};
+  std::vector<std::uint8_t> fixed;
+  for (std::uint32_t level = 0; level < lattices.size(); ++level) {
+    add_fixed_corners(lattices[level], claimed, level, held_regions, fixed);
+  }
+  if (std::ranges::count(fixed, 0) == std::ssize(fixed))
     refuse(
         "--fix: no corner of the organ lies in these regions: expected at least one corner, or "
         "--fix none");
@@ -132,8 +141,8 @@ std::vector<Mesh> surfaces_of(std::vector<Solid> solids) {
   return surfaces;
 }
 
-void embed_surface(const Mesh& mesh, const Lattice& lattice, OrganParts& parts) {
-  Surface surface = embed(lattice, mesh.points, mesh.triangles);
+void embed_surface(const Mesh& mesh, const std::vector<Lattice>& lattices, OrganParts& parts) {
+  Surface surface = embed(lattices, mesh.points, mesh.triangles);
   SphereTree tree = sphere_tree(surface.rest_m, mesh.triangles, surface.voxel_of);
   for (const std::uint32_t i : tree.order) parts.triangles.push_back(mesh.triangles[i]);
   parts.vertices = std::move(surface.vertices);
@@ -160,15 +169,29 @@ Claims claim_voxels(const Grid& grid, const std::vector<Input>& inputs,
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Occupancy occupancy = voxelize(grid, solids[i], progress);
     report.inputs.push_back(report_of(inputs[i], solids[i], occupancy, grid));
-    if (report.inputs.back().filled_volume_m3 <= 0) {
-      refuse(
-          "{}: longest side {:.4g} mm, encloses no volume at a voxel edge of {:.6g} mm: expected a "
-          "surface with an inside, a finer voxel edge, other --units, or --wrap",
-          inputs[i].path, longest_side(bounds(solids[i].surface)) * 1e3, grid.edge_m * 1e3);
-    }
     add_claim(claims, occupancy, static_cast<std::uint16_t>(i), priorities);
   }
   return claims;
+}
+
+// The claims of each level; the report is that of the finest one.
+std::vector<Claims> claim_levels(const Grid& coarsest, std::uint32_t halvings,
+                                 const std::vector<Input>& inputs, const std::vector<Solid>& solids,
+                                 BuildReport& report, const Progress& progress) {
+  std::vector<Claims> levels;
+  for (const Grid& grid : level_grids(coarsest, halvings)) {
+    report.inputs.clear();
+    levels.push_back(claim_voxels(grid, inputs, solids, report, progress));
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (report.inputs[i].filled_volume_m3 > 0) continue;
+    refuse(
+        "{}: longest side {:.4g} mm, encloses no volume at a voxel edge of {:.6g} mm: expected a "
+        "surface with an inside, a finer voxel edge, other --units, or --wrap",
+        inputs[i].path, longest_side(bounds(solids[i].surface)) * 1e3,
+        levels.back().grid.edge_m * 1e3);
+  }
+  return levels;
 }
 
 // What a tick sweeps at an edge. If the edge was refused, a value that leads the search on: an edge
@@ -314,6 +337,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   for (const Input& input : inputs) tissues.push_back(input.tissue);
   std::vector<Content> contents;
   if (options.wrap) std::ranges::transform(solids, std::back_inserter(contents), content_of);
+  const std::uint32_t halvings = most_halvings(options.refinements);
   const double edge_m = choose_edge(box, options, [&](double each_m) {
     BuildReport unused;
     std::vector<Solid> tried = solids;
@@ -322,7 +346,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
       wrap_all(tried, contents, inputs, each_m, tried_box, unused.warnings, progress);
     }
     const Grid grid = make_grid(tried_box, each_m);
-    return swept_voxels({claim_voxels(grid, inputs, tried, unused, progress),
+    return swept_voxels({claim_levels(grid, halvings, inputs, tried, unused, progress),
                          mesh_samples(),
                          tissues,
                          tried_box,
@@ -338,15 +362,16 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
   }
   warn_of_size(box, warnings);
   const Grid grid = make_grid(box, edge_m);
-  Claims claims = claim_voxels(grid, inputs, solids, built.report, progress);
+  std::vector<Claims> levels = claim_levels(grid, halvings, inputs, solids, built.report, progress);
   const SamplePlaces places = mesh_samples();
+  const Grid finest = levels.back().grid;
   if (options.measured) {
-    measure_shares(claims, solids, built.report);
-    if (!options.split) built.report.closed_gaps = closed_gaps(claims, places);
+    measure_shares(levels.back(), solids, built.report);
+    if (!options.split) built.report.closed_gaps = closed_gaps(levels.back(), places);
   }
-  Claimed claimed = {std::move(claims), places, tissues, box, join(solids), {}, {}, {}, {}};
+  Claimed claimed = {std::move(levels), places, tissues, box, join(solids), {}, {}, {}, {}};
   if (!options.slides.empty()) claimed.surface_m = surfaces_of(std::move(solids));
-  claimed.sample_m3 = sample_volumes(grid, built.report);
+  claimed.sample_m3 = sample_volumes(finest, built.report);
   cut_away(claimed, options);
   if (options.measured) built.input_m = claimed.mesh;
   claimed.sources = source_records(inputs, built.report);
@@ -355,86 +380,75 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
 }
 
 void cut_away(Claimed& claimed, const BuildOptions& options) {
-  const Grid& grid = claimed.claims.grid;
+  const Grid& grid = claimed.levels.front().grid;
   claimed.cut = cut_cells(grid, claimed.box, options.crop);
   claimed.mesh = crop_surface(std::move(claimed.mesh), grid, claimed.cut);
 }
 
 namespace {
 
-// Fills gaps and numbers voxels, and splits parts if that is asked for.
-Lattice lattice_of(Claimed& claimed, const BuildOptions& options, const Progress& progress) {
+// Fills gaps and numbers voxels, level by level, and splits parts if that is asked for.
+std::vector<Lattice> lattices_of(Claimed& claimed, const BuildOptions& options,
+                                 std::vector<std::string>& warnings, const Progress& progress) {
   if (!options.gap_tissue.empty()) {
     progress("filling gaps", 0);
     const auto owner = static_cast<std::uint16_t>(claimed.tissues.size());
-    if (fill_gaps(claimed.claims, options.gap_m, owner) > 0) {
-      claimed.tissues.push_back(options.gap_tissue);
-    }
+    std::size_t filled = 0;
+    for (Claims& claims : claimed.levels) filled += fill_gaps(claims, options.gap_m, owner);
+    if (filled > 0) claimed.tissues.push_back(options.gap_tissue);
   }
   progress("embedding surface", 0);
-  Lattice lattice = make_lattice(claimed.claims, claimed.mesh.points, claimed.cut);
-  if (lattice.cell_of_voxel.empty()) {
+  std::vector<Lattice> lattices =
+      make_lattices(claimed.levels, claimed.mesh.points, absent_cells(claimed, options, warnings));
+  if (voxel_count(lattices) == 0) {
     refuse("--crop: no voxel lies in all of these regions: expected at least one");
   }
-  if (!options.split && options.slides.empty()) return lattice;
+  if (!options.split && options.slides.empty()) return lattices;
   progress("splitting at gaps", 0);
-  return split_parts(claimed.claims, claimed.places, std::move(lattice),
-                     {options.split, apart_owners(options.slides, claimed.tissues)});
-}
-
-// Volumes that the inputs give, by material; materials of gaps and capsule are not numbered here.
-struct Given {
-  std::vector<Tissue> tissues;
-  std::vector<bool> is_layer;
-  std::vector<double> volume_m3;
-};
-
-Given given_of(const Claimed& claimed, const BuildOptions& options) {
-  MaterialList list{options.own_tissues, {}};
-  const TissueNumbers numbers =
-      number_tissues(claimed.tissues, options, claimed.claims.grid.edge_m, list);
-  std::vector<bool> is_layer(list.tissues.size(), false);
-  for (const TissueNumbers::Numbered& layer : numbers.layers) is_layer[layer.material] = true;
-  return {list.tissues, is_layer,
-          given_volumes(claimed.claims, claimed.places, numbers, claimed.cut, claimed.sample_m3)};
-}
-
-void warn_of_losses(const std::vector<Held>& held, double edge_m, const Given& given,
-                    MaterialList& materials, std::vector<std::string>& warnings) {
-  for (std::size_t i = 0; i < given.tissues.size(); ++i) {
-    const std::string text =
-        loss((given.is_layer[i] ? "layer " : "tissue ") + given.tissues[i].name, given.volume_m3[i],
-             held[number_of(materials, given.tissues[i])], edge_m);
-    if (!text.empty()) warnings.push_back(text);
-  }
-}
-
-void warn_of_slopes(const Claimed& claimed, const TissueNumbers& numbers,
-                    std::vector<std::string>& warnings) {
-  if (numbers.layers.empty()) return;
-  const double left = thickness_across(claimed.claims, numbers, claimed.mesh);
-  if (1 - left <= kMostOff) return;
-  constexpr double kDegrees = 180 / std::numbers::pi;
-  warnings.push_back(fmt::format(
-      "--layers-along {}{}: the outer surface slopes by {:.0f} degrees on average, so that layers "
-      "are {:.0f} % thinner across it than asked for: expected a direction straight into the "
-      "surface, or thicker layers",
-      numbers.course.backwards ? '-' : '+', "xyz"[numbers.course.axis], std::acos(left) * kDegrees,
-      100 * (1 - left)));
+  return {split_parts(claimed.levels.front(), claimed.places, std::move(lattices.front()),
+                      {options.split, apart_owners(options.slides, claimed.tissues)})};
 }
 
 // Moves the lattice into the parts of the organ file.
-void take_lattice(Lattice lattice, OrganParts& parts) {
-  parts.origin_m = lattice.grid.origin_m;
-  parts.edge_m = lattice.grid.edge_m;
-  parts.size_x = lattice.grid.size[0];
-  parts.size_z = lattice.grid.size[2];
-  parts.sheets = lattice.sheets;
-  parts.sheet_rows = lattice.sheet_rows;
-  parts.runs = std::move(lattice.runs);
-  parts.ties = std::move(lattice.ties);
-  parts.cell_parts = std::move(lattice.parts);
-  parts.voxel_fill = std::move(lattice.fill);
+void take_lattices(std::vector<Lattice> lattices, OrganParts& parts) {
+  Lattice& coarsest = lattices.front();
+  const LatticeSize size = lattice_size(lattices);
+  parts.origin_m = coarsest.grid.origin_m;
+  parts.edge_m = coarsest.grid.edge_m;
+  parts.size_x = size.x;
+  parts.size_z = size.z;
+  parts.sheets = coarsest.sheets;
+  parts.sheet_rows = size.rows;
+  parts.levels = static_cast<std::uint32_t>(lattices.size());
+  parts.level_planes = coarsest.grid.size[2];
+  parts.hanging = hanging_nodes(lattices);
+  parts.runs = runs_of(lattices);
+  parts.ties = std::move(coarsest.ties);
+  parts.cell_parts = std::move(coarsest.parts);
+  for (const Lattice& each : lattices) {
+    parts.voxel_fill.insert(parts.voxel_fill.end(), each.fill.begin(), each.fill.end());
+  }
+}
+
+// Adds materials and mixed voxels of a level to the parts, and what its voxels hold to `held`.
+void add_tissues(Claims& claims, const Lattice& lattice, const Claimed& claimed,
+                 const BuildOptions& options, MaterialList& materials, OrganParts& parts,
+                 std::vector<Held>& held) {
+  const TissueNumbers numbers =
+      number_tissues(claimed.tissues, options, lattice.grid.edge_m, materials);
+  const std::vector<std::uint8_t> layers = cell_layers(claims, numbers);
+  std::vector<std::uint16_t> owner_of_voxel = owners(claims, lattice);
+  settle_owners(claims, lattice, apart_owners(options.slides, claimed.tissues), owner_of_voxel);
+  const VoxelMaterials of_voxel = voxel_materials(claims, lattice, owner_of_voxel, claimed.tissues,
+                                                  numbers, layers, options, materials);
+  std::vector<OrganMixed> mixed = mixed_voxels(
+      claims, claimed.places, lattice, {owner_of_voxel, of_voxel.material, layers}, numbers);
+  add_held(held_volumes(lattice, mixed, of_voxel.given), held);
+  const auto before = static_cast<std::uint32_t>(parts.voxel_material.size());
+  for (OrganMixed& each : mixed) each.voxel += before;
+  parts.mixed.insert(parts.mixed.end(), mixed.begin(), mixed.end());
+  parts.voxel_material.insert(parts.voxel_material.end(), of_voxel.material.begin(),
+                              of_voxel.material.end());
 }
 
 // What the readers said of the meshes that options name.
@@ -450,7 +464,8 @@ void warn_of_meshes(const BuildOptions& options, std::vector<std::string>& warni
 
 double swept_voxels(Claimed claimed, const BuildOptions& options, const Progress& progress) {
   cut_away(claimed, options);
-  return swept_voxels(lattice_of(claimed, options, progress));
+  std::vector<std::string> unused;
+  return swept_voxels(lattices_of(claimed, options, unused, progress));
 }
 
 std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
@@ -459,30 +474,24 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   OrganParts parts;
   parts.name = options.name;
   const Given given = given_of(claimed, options);  // before gaps are filled
-  Lattice lattice = lattice_of(claimed, options, progress);
-  const double edge_m = lattice.grid.edge_m;
+  std::vector<Lattice> lattices = lattices_of(claimed, options, warnings, progress);
   MaterialList materials{options.own_tissues, {}};
-  const TissueNumbers numbers = number_tissues(claimed.tissues, options, edge_m, materials);
-  warn_of_slopes(claimed, numbers, warnings);
-  const std::vector<std::uint8_t> layers = cell_layers(claimed.claims, numbers);
-  std::vector<std::uint16_t> owner_of_voxel = owners(claimed.claims, lattice);
-  settle_owners(claimed.claims, lattice, apart_owners(options.slides, claimed.tissues),
-                owner_of_voxel);
-  VoxelMaterials of_voxel = voxel_materials(claimed.claims, lattice, owner_of_voxel,
-                                            claimed.tissues, numbers, layers, options, materials);
-  parts.voxel_material = std::move(of_voxel.material);
-  parts.mixed = mixed_voxels(claimed.claims, claimed.places, lattice,
-                             {owner_of_voxel, parts.voxel_material, layers}, numbers);
-  warn_of_losses(held_volumes(lattice, parts.mixed, of_voxel.given), edge_m, given, materials,
+  warn_of_slopes(claimed,
+                 number_tissues(claimed.tissues, options, lattices.front().grid.edge_m, materials),
                  warnings);
-  parts.membranes = place_membranes(options.membranes, lattice, materials, warnings);
-  SlideLists slides = place_slides(options.slides, claimed, lattice, warnings);
+  std::vector<Held> held(kMaxMaterials);
+  for (std::size_t level = 0; level < lattices.size(); ++level) {
+    add_tissues(claimed.levels[level], lattices[level], claimed, options, materials, parts, held);
+  }
+  warn_of_losses(held, lattices, given, materials.tissues, warnings);
+  parts.membranes = place_membranes(options.membranes, lattices.front(), materials, warnings);
+  SlideLists slides = place_slides(options.slides, claimed, lattices.front(), warnings);
   parts.slide_points = std::move(slides.points);
   parts.slide_grounds = std::move(slides.grounds);
   parts.materials = std::move(materials.tissues);
-  parts.voxel_fixed = fixed_corners(lattice, claimed, options.held);
-  embed_surface(claimed.mesh, lattice, parts);
-  take_lattice(std::move(lattice), parts);
+  parts.voxel_fixed = fixed_corners(lattices, claimed, options.held);
+  embed_surface(claimed.mesh, lattices, parts);
+  take_lattices(std::move(lattices), parts);
   parts.tool_version = options.tool_version;
   parts.options = options.options_text;
   parts.sources = std::move(claimed.sources);

@@ -14,6 +14,7 @@
 #include "asset/materials.h"
 #include "asset/write_organ.h"
 #include "base/progress.h"
+#include "base/refinement.h"
 #include "base/slide.h"
 #include "meshes/read_mesh.h"
 #include "meshes/repair.h"
@@ -63,7 +64,8 @@ struct BuildOptions {
   std::vector<Layer> layers;
   LayerCourse layer_course;
   std::vector<Membrane> membranes;
-  std::vector<Slide> slides;  // between tissues of inputs (pipeline/slides.h)
+  std::vector<Slide> slides;            // between tissues of inputs (pipeline/slides.h)
+  std::vector<Refinement> refinements;  // where voxels are finer (pipeline/refine.h)
   std::vector<Tissue> own_tissues;
   bool measured = false;     // fill in what a quality report asks for
   std::string options_text;  // these options as text, for the provenance in the file
@@ -133,14 +135,15 @@ std::vector<double> given_volumes_m3(const Claims& claims, std::size_t owner_cou
 
 // Cells with their owners, and the surface to embed: all that `assemble` needs to make the organ.
 struct Claimed {
-  Claims claims;
+  std::vector<Claims> levels;        // each with half the edge of the one before; without
+                                     // refinements only one
   SamplePlaces places;               // of a cell's samples
   std::vector<std::string> tissues;  // of each owner
   Box box;
   Mesh mesh;                      // metres
-  std::vector<std::uint8_t> cut;  // cells cut away, see voxels/crop.h
+  std::vector<std::uint8_t> cut;  // cells of level 0 cut away, see voxels/crop.h
   std::vector<SourceRecord> sources;
-  std::vector<double> sample_m3;  // volume that a sample of each owner represents
+  std::vector<double> sample_m3;  // volume that a sample of each owner in the finest level is
   std::vector<Mesh> surface_m;    // of each owner that slides; others may be empty
 };
 // cut_away keeps only the part that `options.crop` asks for. swept_voxels is what a tick of the

@@ -10,6 +10,7 @@
 #include "maps/wall.h"
 #include "meshes/simplify.h"
 #include "pipeline/pieces.h"
+#include "voxels/levels.h"
 #include "voxels/losses.h"
 
 namespace stylet::offline {
@@ -98,6 +99,18 @@ Claims claim_labels(const Grid& grid, const LabelMap& map, const Groups& groups,
     }
   }
   return claims;
+}
+
+// The claims of each level; what is reported is that of the finest one.
+std::vector<Claims> claim_levels(const Grid& coarsest, std::uint32_t halvings, const LabelMap& map,
+                                 const Groups& groups, std::vector<LabelReport>& reports,
+                                 const Progress& progress) {
+  std::vector<Claims> levels;
+  for (const Grid& grid : level_grids(coarsest, halvings)) {
+    for (LabelReport& each : reports) each.filled_volume_m3 = 0;
+    levels.push_back(claim_labels(grid, map, groups, reports, progress));
+  }
+  return levels;
 }
 
 std::vector<LabelReport> label_reports(const LabelMap& map, const Groups& groups,
@@ -209,8 +222,10 @@ std::vector<double> sample_volumes(const Grid& grid, BuildReport& report) {
   return volumes;
 }
 
-void measure_shares(const Claims& claims, const LabelMap& map, const Groups& groups,
-                    BuildReport& report) {
+void measure_shares(const Claimed& claimed, const LabelMap& map, const Groups& groups,
+                    const BuildOptions& options, BuildReport& report) {
+  const Claims& claims = claimed.levels.back();
+  if (!options.split) report.closed_gaps = closed_gaps(claims, claimed.places);
   const std::size_t count = report.labels.size();
   const std::vector<double> given_m3 = given_volumes_m3(claims, count);
   const std::vector<PieceCount> pieces = label_pieces(claims, map, groups, count);
@@ -287,26 +302,25 @@ Built build_labels(const std::string& path, const LabelMap& whole, const Recipe&
   for (const std::size_t skin : skin_of_group) {
     claimed.surface_m.push_back(skin == kNoSkin ? Mesh{} : triangles_of(skins[skin]));
   }
+  const std::uint32_t halvings = most_halvings(options.refinements);
   const double edge_m = choose_edge(claimed.box, options, [&](double each_m) {
     std::vector<LabelReport> unused = built.report.labels;
     Claimed tried = claimed;
-    tried.claims = claim_labels(make_grid(claimed.box, each_m), map, groups, unused, progress);
+    tried.levels =
+        claim_levels(make_grid(claimed.box, each_m), halvings, map, groups, unused, progress);
     return swept_voxels(std::move(tried), options, progress);
   });
   const Grid grid = make_grid(claimed.box, edge_m);
   warn_of_absent(recipe, built.report);
   warn_of_missing(recipe.obstacles, built.obstacles, &NamedHull::obstacle, built.report);
   warn_of_missing(recipe.targets, built.targets, &Target::name, built.report);
-  claimed.claims = claim_labels(grid, map, groups, built.report.labels, progress);
-  if (options.measured) {
-    measure_shares(claimed.claims, map, groups, built.report);
-    if (!options.split) built.report.closed_gaps = closed_gaps(claimed.claims, claimed.places);
-  }
+  claimed.levels = claim_levels(grid, halvings, map, groups, built.report.labels, progress);
+  if (options.measured) measure_shares(claimed, map, groups, options, built.report);
   claimed.sources = {{std::filesystem::path(path).filename().string(), "labels", map.sha256, 1e-3,
                       0, static_cast<std::uint32_t>(claimed.mesh.triangles.size())}};
   cut_away(claimed, options);
   warn_of_obstacles(built.obstacles, built.report.warnings);
-  claimed.sample_m3 = sample_volumes(grid, built.report);
+  claimed.sample_m3 = sample_volumes(claimed.levels.back().grid, built.report);
   built.bytes = assemble(std::move(claimed), options, built.report.warnings, progress);
   return built;
 }

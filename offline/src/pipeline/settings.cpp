@@ -8,6 +8,7 @@
 
 #include "base/refusal.h"
 #include "pipeline/membranes.h"
+#include "pipeline/refine.h"
 #include "pipeline/slides.h"
 #include "voxels/crop.h"
 
@@ -74,6 +75,15 @@ std::string units_text(const Settings& s, const std::vector<Input>& inputs) {
   return std::ranges::any_of(inputs, says) ? "" : " --units mm";
 }
 
+// `tissues` are those of the inputs.
+void settle_refinements(const std::vector<std::string>& tissues, bool has_membranes,
+                        BuildOptions& options) {
+  check_refinements(options, tissues, has_membranes);
+  for (const Refinement& each : options.refinements) {
+    options.options_text += " --refine " + text_of(each);
+  }
+}
+
 // Refused with the name of the recipe, which names the tissue.
 std::string tissue_of_recipe(const BuildOptions& options, const LabelSource& source,
                              const std::string& name) try {
@@ -108,6 +118,9 @@ BuildOptions common_options(const Settings& s, const MeshUnits& units) {
     (void)find_tissue(options.own_tissues, membrane.tissue);
   }
   options.slides = parse_slides(s.slides);
+  for (const std::string& text : s.refine) {
+    options.refinements.push_back(parse_refinement(text, "--refine"));
+  }
   options.tool_version = tool_version();
   options.options_text = s.voxels_across > 0 ? fmt::format("--voxels-across {}", s.voxels_across)
                          : !s.fit.empty()    ? "--fit " + s.fit
@@ -180,8 +193,10 @@ void choose_for_labels(const Settings& s, const LabelSource& source, const Recip
   choose_layers(s, tissues, options);
   choose_capsule(s, tissues, options);
   std::ranges::copy(recipe.slides, std::back_inserter(options.slides));
+  std::ranges::copy(recipe.refinements, std::back_inserter(options.refinements));
   for (const WallLayer& layer : recipe.wall) tissues.push_back(layer.tissue);
   check_slides(options, tissues);
+  settle_refinements(tissues, !options.membranes.empty() || !recipe.membranes.empty(), options);
 }
 
 void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, BuildOptions& options) {
@@ -196,6 +211,7 @@ void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, Buil
   choose_layers(s, tissues, options);
   choose_capsule(s, tissues, options);
   check_slides(options, tissues);
+  settle_refinements(tissues, !options.membranes.empty(), options);
 }
 
 }  // namespace stylet::offline

@@ -28,6 +28,7 @@ struct Settings {
   std::string layers_along = "+x";
   std::vector<std::string> membranes;  // each MESH:TISSUE or x=MM:TISSUE
   std::vector<std::string> slides;     // each TISSUE:GROUND or TISSUE:GROUND:FRICTION
+  std::vector<std::string> refine;     // each as in base/refinement.h
   std::string fill_gaps;               // TISSUE:MM
   bool split_gaps = false;
   // Of meshes.

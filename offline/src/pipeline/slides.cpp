@@ -90,7 +90,7 @@ Mesh surface_of(const Claimed& claimed, const std::string& tissue) {
 
 int priority_of(const Claimed& claimed, const std::string& tissue) {
   int most = std::numeric_limits<int>::min();
-  for (const Claims::Share& share : claimed.claims.shares) {
+  for (const Claims::Share& share : claimed.levels.front().shares) {
     if (claimed.tissues[share.owner] == tissue) most = std::max(most, share.priority);
   }
   return most;
@@ -134,9 +134,9 @@ Mesh left_of(const Mesh& whole_weak, const Mesh& whole_strong, double finest_m) 
 
 // The volume that the inputs of two tissues both claim, without what is cut away.
 double overlap_m3(const Claimed& claimed, const std::string& one, const std::string& other) {
-  const Grid& grid = claimed.claims.grid;
+  const Grid& grid = claimed.levels.front().grid;
   std::unordered_map<std::uint32_t, std::array<std::uint64_t, 2>> inside;  // by cell
-  for (const Claims::Share& share : claimed.claims.shares) {
+  for (const Claims::Share& share : claimed.levels.front().shares) {
     if (!claimed.cut.empty() && claimed.cut[share.cell] != 0) continue;
     if (claimed.tissues[share.owner] == one) inside[share.cell][0] |= share.inside;
     if (claimed.tissues[share.owner] == other) inside[share.cell][1] |= share.inside;
@@ -161,7 +161,7 @@ std::string why_none(const Slide& slide, const Claimed& claimed) {
 
 void warn_of_area(const Slide& slide, const SlideArea& area, const Claimed& claimed,
                   std::vector<std::string>& warnings) {
-  const double edge_m = claimed.claims.grid.edge_m;
+  const double edge_m = claimed.levels.front().grid.edge_m;
   if (!(area.facing > 0)) {
     warnings.push_back(fmt::format("{}: no surface of {} faces {} within {:.3g} mm{}; {}",
                                    slide.from, slide.tissue, slide.ground, kSlideReachM * 1e3,

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/info.h"
 
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "asset/materials.h"
+#include "asset/organ_shape.h"
 #include "asset/write_organ.h"
 #include "base/file.h"
 #include "base/refusal.h"
@@ -22,20 +24,55 @@ std::string text_of(const flatbuffers::String* text) {
   return text != nullptr ? text->str() : "";
 }
 
-Json material_facts(const Organ& organ) {
-  std::vector<std::size_t> voxels(organ.material_count, 0);
-  std::vector<double> fill(organ.material_count, 0);
-  for (std::size_t i = 0; i < organ.voxel_count; ++i) {
-    ++voxels[organ.voxel_material[i]];
-    fill[organ.voxel_material[i]] += organ.voxel_fill[i] / 255.0;
+// Voxels of a level or a material, and how many of level 0 would be filled by them.
+struct Sum {
+  std::size_t voxels = 0;
+  double fill = 0;
+
+  void add(const Organ& organ, std::size_t voxel, std::uint32_t level) {
+    ++voxels;
+    fill += organ.voxel_fill[voxel] / 255.0 / static_cast<double>(1U << (3 * level));
   }
-  const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
+  double ml(const Organ& organ) const {
+    const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
+    return fill * edge_mm * edge_mm * edge_mm * 1e-3;
+  }
+};
+
+// The sums by level and by material.
+struct Sums {
+  std::vector<Sum> of_level, of_material;
+  Sum all;
+};
+Sums sums_of(const Organ& organ) {
+  Sums sums{std::vector<Sum>(organ.levels), std::vector<Sum>(organ.material_count), {}};
+  const std::vector<Cell> cells = cells_of(organ);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::uint32_t level = level_of(organ, cells[i]);
+    sums.of_level[level].add(organ, i, level);
+    sums.of_material[organ.voxel_material[i]].add(organ, i, level);
+    sums.all.add(organ, i, level);
+  }
+  return sums;
+}
+
+Json level_facts(const Organ& organ, const Sums& sums) {
+  Json list = Json::array();
+  for (std::uint32_t level = 0; level < organ.levels; ++level) {
+    list.push_back({{"voxel_edge_mm", shown(organ.voxel_edge_m) * 1e3 / (1U << level)},
+                    {"voxels", sums.of_level[level].voxels},
+                    {"volume_ml", sums.of_level[level].ml(organ)}});
+  }
+  return list;
+}
+
+Json material_facts(const Organ& organ, const Sums& sums) {
   Json list = Json::array();
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
     const Material m = organ_material(organ, i);
     Json facts{{"name", m.name},
-               {"voxels", voxels[i]},
-               {"volume_ml", fill[i] * edge_mm * edge_mm * edge_mm * 1e-3}};
+               {"voxels", sums.of_material[i].voxels},
+               {"volume_ml", sums.of_material[i].ml(organ)}};
     for (const MaterialNumber& number : kMaterialNumbers) {
       facts[number.key] = shown(m.*number.field) * (1 / number.si_per_unit);
     }
@@ -62,7 +99,7 @@ Json byte_facts(const Organ& organ, std::size_t total) {
   const std::size_t lattice = organ.runs.size_bytes() + organ.voxel_material.size_bytes() +
                               organ.voxel_fill.size_bytes() + organ.voxel_fixed.size_bytes() +
                               organ.mixed.size_bytes() + organ.ties.size_bytes() +
-                              organ.parts.size_bytes();
+                              organ.parts.size_bytes() + organ.hanging.size_bytes();
   const std::size_t membranes = organ.membrane_points.size_bytes() +
                                 organ.membrane_triangles.size_bytes() +
                                 organ.membrane_cells.size_bytes();
@@ -104,14 +141,14 @@ Json membrane_facts(const Organ& organ) {
 
 // Which tissues slide on which: the points, and the area that they stand for.
 Json slide_facts(const Organ& organ) {
-  struct Sum {
+  struct Points {
     std::size_t points = 0;
     double squares = 0;
   };
-  std::map<std::tuple<std::uint8_t, std::uint8_t, float>, Sum> sums;
+  std::map<std::tuple<std::uint8_t, std::uint8_t, float>, Points> sums;
   for (const OrganSlidePoint& p : organ.slide_points) {
     const std::uint32_t ground = organ.slide_grounds[p.ground].voxel;
-    Sum& sum = sums[{organ.voxel_material[p.voxel], organ.voxel_material[ground], p.friction}];
+    Points& sum = sums[{organ.voxel_material[p.voxel], organ.voxel_material[ground], p.friction}];
     ++sum.points;
     sum.squares += static_cast<double>(p.area);
   }
@@ -131,19 +168,29 @@ Json slide_facts(const Organ& organ) {
 // Voxels share corners, and each is to be counted once: so all held corners are collected as places
 // in the lattice, and repeated places are dropped.
 std::size_t held_corner_count(const Organ& organ) {
+  const auto place_of = [](std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+    return (z << 40U) | (y << 20U) | x;
+  };
   std::vector<std::uint64_t> corners;
   std::size_t voxel = 0;
   for (const OrganRun& run : organ.runs) {
     for (std::uint32_t i = 0; i < run.count; ++i, ++voxel) {
       for (std::uint32_t c = 0; c < 8 && !organ.voxel_fixed.empty(); ++c) {
         if ((organ.voxel_fixed[voxel] >> c & 1U) == 0) continue;
-        const std::uint64_t x = run.x + i + (c & 1U), y = run.y + (c >> 1U & 1U);
-        corners.push_back((std::uint64_t{run.z + (c >> 2U)} << 40U) | (y << 20U) | x);
+        corners.push_back(
+            place_of(run.x + i + (c & 1U), run.y + (c >> 1U & 1U), run.z + (c >> 2U)));
       }
     }
   }
   std::sort(corners.begin(), corners.end());
-  return static_cast<std::size_t>(std::unique(corners.begin(), corners.end()) - corners.begin());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  std::vector<std::uint64_t> hanging;  // no particles of their own
+  for (const OrganHanging& h : organ.hanging) hanging.push_back(place_of(h.x, h.y, h.z));
+  const auto hangs = [&](std::uint64_t corner) {
+    return std::binary_search(hanging.begin(), hanging.end(), corner);
+  };
+  return static_cast<std::size_t>(
+      std::count_if(corners.begin(), corners.end(), std::not_fn(hangs)));
 }
 
 Json provenance_facts(const format::Organ& root) {
@@ -210,8 +257,7 @@ Organ open_organ(const std::string& file, std::span<const std::byte> bytes) {
 
 nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte> bytes) {
   const auto& root = *format::GetOrgan(bytes.data());
-  double fill = 0;
-  for (const std::uint8_t f : organ.voxel_fill) fill += f / 255.0;
+  const Sums sums = sums_of(organ);
   const double edge_mm = shown(organ.voxel_edge_m) * 1e3;
   return {{"name", organ.name},
           {"hash", fmt::format("{:016x}", organ.hash)},
@@ -221,18 +267,20 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
           {"origin_mm",
            {shown(organ.origin_m.x) * 1e3, shown(organ.origin_m.y) * 1e3,
             shown(organ.origin_m.z) * 1e3}},
+          {"levels", level_facts(organ, sums)},
+          {"hanging_nodes", organ.hanging.size()},
           {"lattice_size", {organ.size_x, organ.sheet_rows, organ.size_z}},
           {"sheets", organ.size_y / organ.sheet_rows},
           {"voxels_that_share_cells", organ.parts.size()},
           {"voxels", organ.voxel_count},
           {"mixed_voxels", organ.mixed.size()},
           {"runs", organ.runs.size()},
-          {"volume_ml", fill * edge_mm * edge_mm * edge_mm * 1e-3},
+          {"volume_ml", sums.all.ml(organ)},
           {"held_corners", held_corner_count(organ)},
           {"surface_vertices", organ.vertices.size()},
           {"surface_triangles", organ.triangles.size()},
           {"sphere_nodes", organ.spheres.size()},
-          {"materials", material_facts(organ)},
+          {"materials", material_facts(organ, sums)},
           {"membranes", membrane_facts(organ)},
           {"slides", slide_facts(organ)},
           {"bytes", byte_facts(organ, bytes.size())},
@@ -241,6 +289,19 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
 }
 
 namespace {
+
+// Only if there are several.
+std::string levels_text(const Json& f) {
+  std::string text;
+  const Json& levels = f["levels"];
+  for (std::size_t i = 0; i < levels.size() && levels.size() > 1; ++i) {
+    text +=
+        fmt::format("level {}       {} voxels of {:.6g} mm, {:.4g} ml\n", i,
+                    levels[i]["voxels"].get<std::size_t>(),
+                    levels[i]["voxel_edge_mm"].get<double>(), levels[i]["volume_ml"].get<double>());
+  }
+  return text;
+}
 
 // Membranes, and where parts slide.
 std::string surfaces_text(const Json& f) {
@@ -272,6 +333,7 @@ std::string organ_text(const nlohmann::ordered_json& f) {
       f["volume_ml"].get<double>(), f["mixed_voxels"].get<std::size_t>(),
       f["held_corners"].get<std::size_t>(), f["surface_vertices"].get<std::size_t>(),
       f["surface_triangles"].get<std::size_t>(), f["sphere_nodes"].get<std::size_t>());
+  text += levels_text(f);
   if (f["sheets"].get<int>() > 1) {
     text += fmt::format("gaps          {} voxels share cells with others they do not touch\n",
                         f["voxels_that_share_cells"].get<std::size_t>());

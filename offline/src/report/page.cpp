@@ -61,12 +61,15 @@ std::string heading(const Json& facts) {
   for (const Json& source : organ["provenance"]["sources"]) {
     from += (from.empty() ? "" : ", ") + source["path"].get<std::string>();
   }
+  const Json& levels = organ["levels"];
   return fmt::format(
-      "<h1>{}</h1><p>Made from {}. {} voxels with an edge of {:.4g} mm, {:.4g} ml in all, in {} "
+      "<h1>{}</h1><p>Made from {}. {} voxels with an edge of {:.4g} mm{}, {:.4g} ml in all, in {} "
       "piece{}.</p>",
       escaped(organ["name"]), escaped(from), organ["voxels"].get<std::size_t>(),
-      organ["voxel_edge_mm"].get<double>(), organ["volume_ml"].get<double>(),
-      facts["quality"]["piece_count"].get<std::size_t>(),
+      organ["voxel_edge_mm"].get<double>(),
+      levels.size() > 1 ? fmt::format(" to {:.4g} mm", levels.back()["voxel_edge_mm"].get<double>())
+                        : "",
+      organ["volume_ml"].get<double>(), facts["quality"]["piece_count"].get<std::size_t>(),
       facts["quality"]["piece_count"] == 1 ? "" : "s");
 }
 
@@ -209,7 +212,7 @@ constexpr const char* kScroll =
 // The layers to scroll through: evenly spread, including the best one.
 std::vector<std::uint32_t> layers_of(const Organ& organ, const Section& best) {
   constexpr std::uint32_t kMostLayers = 32;
-  const std::uint32_t count[3] = {organ.size_x, organ.sheet_rows, organ.size_z};
+  const std::array<std::uint32_t, 3> count = size_in_space(organ);
   const std::uint32_t step = (count[best.axis] + kMostLayers - 1) / kMostLayers;
   std::vector<std::uint32_t> layers;
   for (std::uint32_t layer = best.layer % step; layer < count[best.axis]; layer += step) {
@@ -277,7 +280,7 @@ std::string key_of(const Shown& shown) {
 std::string pictures(const Json& facts, const Organ& organ, const Built& built) {
   const VoxelMesh surface = surface_mesh(organ, cells_of(organ));
   const Shown shown = shown_of(facts, organ, built, surface.mesh);
-  const VoxelGrid grid = voxel_grid(organ, shown.cells);
+  const VoxelGrid grid = voxel_grid(shown.cells);
   std::string html = "<h2>Sections</h2>" + key_of(shown);
   for (const std::size_t axis : {std::size_t{2}, std::size_t{1}, std::size_t{0}}) {
     html += scrolled_sections(shown, axis);
@@ -289,7 +292,9 @@ std::string pictures(const Json& facts, const Organ& organ, const Built& built) 
                              "and feet."
                            : "The letters are the axes of the input.";
   html += " The sliders go through the layers.</p><h2>Views</h2>";
-  const std::uint32_t front = best_section(organ, shown.cells, 1).layer;
+  // No voxel of any level lies on both sides.
+  const std::uint32_t layer = best_section(organ, shown.cells, 1).layer;
+  const std::uint32_t front = layer - layer % (1U << (organ.levels - 1U));
   const VoxelMesh faces =
       voxel_faces(organ, shown.cells, grid, [front](const Cell& cell) { return cell[1] >= front; });
   const auto add_view = [&](const VoxelMesh& mesh, const char* caption) {

@@ -63,17 +63,19 @@ std::string rectangles(const Organ& organ, const std::vector<Cell>& cells,
   };
   std::string text;
   Run run;
-  const double edge_mm = static_cast<double>(organ.voxel_edge_m) * 1e3;
+  const double cell_mm = cell_edge_m(organ) * 1e3;
   const auto end_run = [&] {
     if (run.count == 0) return;
     const Place low = place_mm(sheet, low_corner_m(organ, run.cell));
+    const double edge_mm = cell_mm * run.cell.size;
     text += fmt::format("<rect x='{:.2f}' y='{:.2f}' width='{:.2f}' height='{:.2f}' {}/>", low.u,
                         sheet.v_sign > 0 ? low.v : low.v - edge_mm, edge_mm * run.count, edge_mm,
                         run.fill);
   };
   std::vector<std::uint32_t> shown;
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
-    if (cells[i][section.axis] == section.layer) shown.push_back(i);
+    const std::uint32_t low = cells[i][section.axis];
+    if (low <= section.layer && section.layer < low + cells[i].size) shown.push_back(i);
   }
   std::sort(shown.begin(), shown.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(cells[a][sheet.v], cells[a][sheet.u]) <
@@ -85,7 +87,8 @@ std::string rectangles(const Organ& organ, const std::vector<Cell>& cells,
         fmt::format("fill='{}' fill-opacity='{:.2f}'", css(colours[organ.voxel_material[voxel]]),
                     std::clamp(tenths / 10.0, 0.15, 1.0));
     Cell next = run.cell;
-    next[sheet.u] += run.count;
+    next[sheet.u] += run.count * run.cell.size;
+    next[section.axis] = cells[voxel][section.axis];
     if (run.count == 0 || next != cells[voxel] || fill != run.fill) {
       end_run();
       run = {cells[voxel], 0, fill};
@@ -299,12 +302,14 @@ Colour material_colour(std::size_t index) {
 }
 
 Section best_section(const Organ& organ, const std::vector<Cell>& cells, std::size_t axis) {
-  const std::uint32_t layers[3] = {organ.size_x, organ.sheet_rows, organ.size_z};
+  const std::array<std::uint32_t, 3> layers = size_in_space(organ);
   std::vector<std::uint64_t> tissues(layers[axis], 0);
   std::vector<std::size_t> voxels(layers[axis], 0);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    tissues[cells[i][axis]] |= std::uint64_t{1} << organ.voxel_material[i];
-    ++voxels[cells[i][axis]];
+    for (std::uint32_t n = 0; n < cells[i].size; ++n) {
+      tissues[cells[i][axis] + n] |= std::uint64_t{1} << organ.voxel_material[i];
+      ++voxels[cells[i][axis] + n];
+    }
   }
   Section best{axis, 0};
   for (std::uint32_t layer = 0; layer < layers[axis]; ++layer) {
@@ -319,16 +324,15 @@ Section best_section(const Organ& organ, const std::vector<Cell>& cells, std::si
 double section_at_m(const Organ& organ, const Section& section) {
   Cell middle{};
   middle[section.axis] = section.layer;
-  return low_corner_m(organ, middle)[section.axis] + static_cast<double>(organ.voxel_edge_m) / 2;
+  return low_corner_m(organ, middle)[section.axis] + cell_edge_m(organ) / 2;
 }
 
 std::string section_svg(const Shown& shown, const Section& section) {
   const Organ& organ = shown.organ;
   const Sheet sheet = sheet_of(section.axis);
   const double at_m = section_at_m(organ, section);
-  const Place a = place_mm(sheet, low_corner_m(organ, {0, 0, 0}));
-  const Place b =
-      place_mm(sheet, low_corner_m(organ, {organ.size_x, organ.sheet_rows, organ.size_z}));
+  const Place a = place_mm(sheet, low_corner_m(organ, {}));
+  const Place b = place_mm(sheet, low_corner_m(organ, {size_in_space(organ)}));
   const double width = b.u - a.u, height = std::fabs(b.v - a.v);
   const double margin = std::max(width, height) / 12;
   const Frame frame = {a.u - margin, std::min(a.v, b.v) - margin, width + 2 * margin,

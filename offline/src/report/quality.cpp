@@ -55,10 +55,11 @@ void mark_borne(const Organ& organ, const std::vector<std::uint32_t>& number,
 
 }  // namespace
 
-// Pieces connected through shared nodes within a sheet, and through ties between sheets.
+// Pieces connected through shared nodes within a sheet, through ties between sheets, and through
+// nodes that hang between levels.
 std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
   const std::vector<Cell> cells = lattice_cells_of(organ);
-  const VoxelGrid grid = voxel_grid(organ, cells);
+  const VoxelGrid grid = voxel_grid(cells);
   std::vector<std::uint32_t> parent = each_by_itself(cells.size());
   for (std::uint32_t voxel = 0; voxel < cells.size(); ++voxel) {
     each_earlier_neighbour(cells[voxel], [&](std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -71,7 +72,11 @@ std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
     const std::uint32_t other = voxel_at_node(grid, tie.x, tie.to_y, tie.z);
     if (one != kEmptyCell && other != kEmptyCell) join(parent, one, other);
   }
-  const auto edge = static_cast<double>(organ.voxel_edge_m);
+  for (const OrganHanging& h : organ.hanging) {
+    join(parent, voxel_at_node(grid, h.x, h.y, h.z),
+         voxel_at(grid, h.voxel_x, h.voxel_y, h.voxel_z));
+  }
+  const std::vector<Cell> in_space = cells_of(organ);
   std::vector<LatticePiece> pieces;
   std::vector<std::uint32_t> number(cells.size());
   for (std::uint32_t voxel = 0; voxel < cells.size(); ++voxel) {
@@ -83,6 +88,7 @@ std::vector<LatticePiece> lattice_pieces(const Organ& organ) {
     number[voxel] = number[root];
     LatticePiece& piece = pieces[number[root]];
     ++piece.voxels;
+    const double edge = cell_edge_m(organ) * in_space[voxel].size;
     piece.volume_m3 += organ.voxel_fill[voxel] / 255.0 * edge * edge * edge;
     const unsigned corners = organ.voxel_fixed.empty() ? 0U : organ.voxel_fixed[voxel];
     piece.held = piece.held || corners != 0;
@@ -185,7 +191,7 @@ std::vector<std::string> findings_of(const Quality& quality, const BuildReport& 
 
 Quality measure_quality(const Organ& organ, const Mesh& input_m, const Progress& progress) {
   const std::vector<Cell> cells = cells_of(organ);
-  const VoxelGrid grid = voxel_grid(organ, cells);
+  const VoxelGrid grid = voxel_grid(cells);
   Quality quality;
   quality.pieces = lattice_pieces(organ);
   quality.thin_voxels = static_cast<std::size_t>(

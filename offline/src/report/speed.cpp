@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "asset/organ_shape.h"
 #include "base/file.h"
 #include "base/refusal.h"
 #include "pipeline/build.h"
@@ -94,14 +95,14 @@ std::vector<std::byte> gel_block(const std::array<int, 3>& voxels) {
 // A place near the middle of the voxels in x and y, but not on a face between voxels.
 Vec3 near_middle(const Organ& organ) {
   double x = 0, y = 0;
-  for (const OrganRun& run : organ.runs) {
-    x += run.count * (run.x + 0.5 * run.count);
-    y += run.count * (run.y % organ.sheet_rows + 0.5);
+  for (const Cell& cell : cells_of(organ)) {
+    x += cell[0] + 0.5 * cell.size;
+    y += cell[1] + 0.5 * cell.size;
   }
   const auto at = [&](double sum) { return static_cast<float>(sum / organ.voxel_count + 0.3); };
-  const float edge_m = organ.voxel_edge_m;
+  const auto edge_m = static_cast<float>(cell_edge_m(organ));
   return {organ.origin_m.x + at(x) * edge_m, organ.origin_m.y + at(y) * edge_m,
-          organ.origin_m.z + static_cast<float>(organ.size_z + 1) * edge_m};
+          organ.origin_m.z + static_cast<float>(size_in_space(organ)[2] + 1) * edge_m};
 }
 
 Config config_of(const Stepping& stepping) {

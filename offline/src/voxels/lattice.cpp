@@ -129,6 +129,19 @@ std::uint32_t voxel_for(const Lattice& lattice, CellPlace at, Vec place, Vec bel
   return lattice.voxel_of_cell[cell];
 }
 
+void require_few(std::size_t voxels, double edge_m) {
+  if (voxels <= kMaxVoxels) return;
+  refuse<TooFine>(
+      "voxel edge {:.6g} mm: {} voxels: expected at most {}: choose a larger voxel edge",
+      edge_m * 1e3, voxels, kMaxVoxels);
+}
+
+// Whether a point lies in such a cell, or nearly touches one.
+template <typename Keeps>
+bool is_held(const Grid& grid, Vec point_m, Keeps keeps) {
+  return find_cell(grid, to_lattice(grid, point_m), keeps).has_value();
+}
+
 }  // namespace
 
 std::span<const SharedCell> shared_in(const Lattice& lattice, std::size_t cell) {
@@ -261,12 +274,41 @@ Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
     lattice.cell_of_voxel.push_back(static_cast<std::uint32_t>(cell));
     lattice.fill.push_back(fill_of(claims.inside[cell]));
   }
-  if (lattice.cell_of_voxel.size() > kMaxVoxels) {
-    refuse<TooFine>(
-        "voxel edge {:.6g} mm: {} voxels: expected at most {}: choose a larger voxel edge",
-        grid.edge_m * 1e3, lattice.cell_of_voxel.size(), kMaxVoxels);
-  }
+  require_few(lattice.cell_of_voxel.size(), grid.edge_m);
   return lattice;
+}
+
+std::vector<Lattice> make_lattices(std::vector<Claims>& levels, const std::vector<Vec>& points_m,
+                                   const std::vector<std::vector<std::uint8_t>>& absent) {
+  const auto is_place = [&](std::size_t level, std::size_t cell) {
+    return absent[level].empty() || absent[level][cell] == 0;
+  };
+  std::vector<std::vector<Vec>> without(levels.size());  // points that no voxel holds yet
+  for (const Vec& point_m : points_m) {
+    bool held = false;
+    std::size_t own = 0;
+    for (std::size_t level = 0; level < levels.size() && !held; ++level) {
+      const Claims& claims = levels[level];
+      held = is_held(claims.grid, point_m, [&](std::size_t cell) {
+        return is_kept(claims, cell) && is_place(level, cell);
+      });
+      if (is_place(level, cell_of(claims.grid, point_m))) own = level;
+    }
+    if (!held) without[own].push_back(point_m);
+  }
+  std::vector<Lattice> lattices;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    lattices.push_back(make_lattice(levels[level], without[level], absent[level]));
+  }
+  while (lattices.size() > 1 && lattices.back().cell_of_voxel.empty()) lattices.pop_back();
+  require_few(voxel_count(lattices), levels.front().grid.edge_m);
+  return lattices;
+}
+
+std::size_t voxel_count(std::span<const Lattice> levels) {
+  std::size_t count = 0;
+  for (const Lattice& level : levels) count += level.cell_of_voxel.size();
+  return count;
 }
 
 namespace {
@@ -292,29 +334,51 @@ std::optional<Seat> seat_of(const Lattice& lattice, Vec at, Vec below, Exists ex
   return same_side ? seat : other;
 }
 
+// The level that holds a point, its seat there, and how many voxels the levels before have. The
+// level in whose cell it lies comes first, then those that it nearly touches.
+struct LevelSeat {
+  const Lattice* level;
+  Seat seat;
+  std::uint32_t before;
+};
+std::optional<LevelSeat> level_seat(std::span<const Lattice> levels, Vec point_m, Vec below) {
+  std::optional<LevelSeat> touched;
+  std::uint32_t before = 0;
+  for (const Lattice& level : levels) {
+    const auto exists = [&](std::size_t cell) { return level.voxel_of_cell[cell] != kNoVoxel; };
+    const auto seat = seat_of(level, to_lattice(level.grid, point_m), below, exists);
+    const bool is_own = exists(cell_of(level.grid, point_m));
+    if (seat && (is_own || !touched)) touched = {&level, *seat, before};
+    if (is_own) break;
+    before += static_cast<std::uint32_t>(level.cell_of_voxel.size());
+  }
+  return touched;
+}
+
 }  // namespace
 
-Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
+Surface embed(std::span<const Lattice> levels, const std::vector<Vec>& points_m,
               const std::vector<Triangle>& triangles) {
-  const Grid& grid = lattice.grid;
-  const auto exists = [&](std::size_t cell) { return lattice.voxel_of_cell[cell] != kNoVoxel; };
   Surface surface;
-  const std::vector<Vec> below = lattice.shared.empty() && lattice.sides.empty()
+  const Lattice& coarsest = levels.front();
+  const std::vector<Vec> below = coarsest.shared.empty() && coarsest.sides.empty()
                                      ? std::vector<Vec>(points_m.size())
                                      : inward(points_m, triangles);
   for (std::size_t i = 0; i < points_m.size(); ++i) {
+    const auto [level, seat, before] = level_seat(levels, points_m[i], below[i]).value();
+    const Grid& grid = level->grid;
+    const CellPlace cell = seat.cell;
     const Vec at = to_lattice(grid, points_m[i]);
-    const auto [cell, voxel] = seat_of(lattice, at, below[i], exists).value();
-    surface.vertices.push_back(
-        {voxel, quantised(at.x - cell.x), quantised(at.y - cell.y), quantised(at.z - cell.z), 0});
+    surface.vertices.push_back({before + seat.voxel, quantised(at.x - cell.x),
+                                quantised(at.y - cell.y), quantised(at.z - cell.z), 0});
     surface.rest_m.push_back(rest_position(grid, cell, surface.vertices.back()));
   }
   for (const Triangle& t : triangles) {
     const Vec sum = surface.rest_m[t[0]] + surface.rest_m[t[1]] + surface.rest_m[t[2]];
-    const Vec centre = to_lattice(grid, sum * (1.0 / 3));
     const Vec down = (below[t[0]] + below[t[1]] + below[t[2]]) * (1.0 / 3);
-    const auto seat = seat_of(lattice, centre, down, exists);
-    surface.voxel_of.push_back(seat ? seat->voxel : surface.vertices[t[0]].voxel);
+    const auto found = level_seat(levels, sum * (1.0 / 3), down);
+    surface.voxel_of.push_back(found ? found->before + found->seat.voxel
+                                     : surface.vertices[t[0]].voxel);
   }
   return surface;
 }

@@ -75,6 +75,11 @@ std::size_t cell_of(const Grid& grid, Vec point_m);
 // cut away (`cut` as in voxels/crop.h; empty: nothing is).
 Lattice make_lattice(Claims& claims, const std::vector<Vec>& points_m,
                      const std::vector<std::uint8_t>& cut = {});
+// One lattice for each level; `absent` are the cells of each that are no voxel's place
+// (voxels/levels.h), or empty. Levels behind the last one with voxels are left out.
+std::vector<Lattice> make_lattices(std::vector<Claims>& levels, const std::vector<Vec>& points_m,
+                                   const std::vector<std::vector<std::uint8_t>>& absent);
+std::size_t voxel_count(std::span<const Lattice> levels);
 
 // Owner of each voxel: that of its cell, or of its own samples if it shares the cell.
 std::vector<std::uint16_t> owners(Claims& claims, const Lattice& lattice);
@@ -85,8 +90,8 @@ struct Surface {
   std::vector<std::uint32_t> voxel_of;  // per triangle: the voxel of its centroid
 };
 // If several voxels share a cell, a point belongs to the nearest of them, measured from a place a
-// little below the surface.
-Surface embed(const Lattice& lattice, const std::vector<Vec>& points_m,
+// little below the surface. Voxels are numbered through all levels.
+Surface embed(std::span<const Lattice> levels, const std::vector<Vec>& points_m,
               const std::vector<Triangle>& triangles);
 
 }  // namespace stylet::offline

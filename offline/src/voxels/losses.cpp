@@ -122,12 +122,15 @@ double volume_before(Vec normal, double limit) {
   return mirrored ? 1 - volume : volume;
 }
 
-std::string loss(const std::string& what, double given_m3, const Held& held, double edge_m) {
+std::string loss(const std::string& what, double given_m3, const Held& held, double edge_m,
+                 double finest_m) {
   if (!(given_m3 > 0)) return "";
   const double met = held.met_m3 / given_m3 - 1, voxels = held.voxel_m3 / given_m3 - 1;
   if (std::max(std::abs(met), std::abs(voxels)) <= kMostOff) return "";
-  const std::string given = fmt::format("{}: at a voxel edge of {:.3g} mm, of the {:.3g} ml given",
-                                        what, edge_m * 1e3, given_m3 * 1e6);
+  const std::string finest = finest_m > 0 ? fmt::format(" to {:.3g}", finest_m * 1e3) : "";
+  const std::string given =
+      fmt::format("{}: at a voxel edge of {:.3g}{} mm, of the {:.3g} ml given", what, edge_m * 1e3,
+                  finest, given_m3 * 1e6);
   if (!(held.met_m3 > 0)) {
     return fmt::format("{} no voxel holds any and no needle feels it: expected finer voxels",
                        given);

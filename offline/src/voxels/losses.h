@@ -33,7 +33,9 @@ std::vector<Held> held_volumes(const Lattice& lattice, const std::vector<OrganMi
 // The part of the unit cube where normal . place <= limit. Source: Scardovelli and Zaleski 2000.
 double volume_before(Vec normal, double limit);
 
-// The sentence for the user; empty if the deviation is small.
-std::string loss(const std::string& what, double given_m3, const Held& held, double edge_m);
+// The sentence for the user; empty if the deviation is small. `finest_m`: if voxels have several
+// edges, the smallest.
+std::string loss(const std::string& what, double given_m3, const Held& held, double edge_m,
+                 double finest_m = 0);
 
 }  // namespace stylet::offline

@@ -3,6 +3,7 @@
 
 #include "base/refusal.h"
 #include "stylet/kernel.h"
+#include "voxels/hanging.h"
 
 namespace stylet::offline {
 namespace {
@@ -54,12 +55,18 @@ double swept_voxels(const Organ& organ) {
   return voxels_of(state_bytes(organ));
 }
 
-double swept_voxels(const Lattice& lattice) {
-  const std::uint32_t rows = lattice.sheet_rows;
-  Organ organ = bare_organ({lattice.grid.size[0], rows, lattice.grid.size[2]}, lattice.runs);
-  organ.size_y = static_cast<std::uint16_t>(rows * lattice.sheets);
-  organ.ties = lattice.ties;
-  organ.parts = lattice.parts;
+double swept_voxels(std::span<const Lattice> levels) {
+  const Lattice& coarsest = levels.front();
+  const LatticeSize size = lattice_size(levels);
+  const std::vector<OrganRun> runs = runs_of(levels);
+  const std::vector<OrganHanging> hanging = hanging_nodes(levels);
+  Organ organ = bare_organ({size.x, size.rows, size.z}, runs);
+  organ.size_y = static_cast<std::uint16_t>(size.rows * coarsest.sheets);
+  organ.levels = static_cast<std::uint16_t>(levels.size());
+  organ.level_planes = static_cast<std::uint16_t>(coarsest.grid.size[2]);
+  organ.ties = coarsest.ties;
+  organ.parts = coarsest.parts;
+  organ.hanging = hanging;
   return voxels_of(state_bytes(organ));
 }
 

@@ -11,6 +11,6 @@
 namespace stylet::offline {
 
 double swept_voxels(const Organ& organ);
-double swept_voxels(const Lattice& lattice);
+double swept_voxels(std::span<const Lattice> levels);
 
 }  // namespace stylet::offline

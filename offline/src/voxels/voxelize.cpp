@@ -10,7 +10,6 @@ namespace stylet::offline {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
-constexpr std::size_t kMaxCells = std::size_t{1} << 26U;  // about 2 GiB over all stages
 
 // ---- triangle and cube --------------------------------------------------------------------------
 

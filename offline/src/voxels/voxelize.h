@@ -22,6 +22,9 @@ namespace stylet::offline {
 // empty voxels.
 constexpr double kTouch = 0.5 / 65535;
 
+// Of a grid; about 2 GiB over all stages.
+constexpr std::size_t kMaxCells = std::size_t{1} << 26U;
+
 struct Grid {
   Vec origin_m;       // each component is exactly representable as a float
   double edge_m = 0;  // exactly representable as a float

@@ -7,6 +7,7 @@ import * as THREE from 'three';
 
 import * as wire from '../../../hal/console/page/generated/stylet/format/organ';
 import {Run} from '../../../hal/console/page/generated/stylet/format/run';
+import {Levels} from '../../../hal/console/page/generated/stylet/format/levels';
 import {Sheets} from '../../../hal/console/page/generated/stylet/format/sheets';
 import {waitMs} from '../../../hal/console/page/src/connection';
 import {spread} from '../../../hal/console/page/src/labels';
@@ -179,6 +180,54 @@ test('voxels of all sheets lie at the same place', () => {
   assert.deepEqual([...places], [0, 1, 0, 1, 1, 0, 1, 1, 0]);
 });
 
+test('voxels of all levels lie where their level says', () => {
+  const b = new flatbuffers.Builder(256);
+  // Two planes of level 0, then an empty one, then four of level 1.
+  const levels = Levels.createLevels(b, 2, 2, 0);
+  wire.Organ.startRunsVector(b, 3);
+  Run.createRun(b, 3, 1, 6, 1);
+  Run.createRun(b, 2, 0, 3, 2);
+  Run.createRun(b, 0, 1, 1, 1);
+  const runs = b.endVector();
+  const none = wire.Organ.createVoxelMaterialVector(b, []);
+  wire.Organ.startOrgan(b);
+  wire.Organ.addVoxelEdgeM(b, 4);
+  wire.Organ.addSizeY(b, 4);
+  wire.Organ.addSizeZ(b, 7);
+  wire.Organ.addRuns(b, runs);
+  wire.Organ.addVoxelMaterial(b, none);
+  wire.Organ.addVoxelFill(b, none);
+  wire.Organ.addMaterials(b, none);
+  wire.Organ.addLevels(b, levels);
+  b.finish(wire.Organ.endOrgan(b), 'STLO');
+  const organ = readOrgan(buffer(b.asUint8Array()));
+  assert.deepEqual([...organ.voxelPlace], [0, 2, 2, 2, 0, 0, 3, 0, 0, 3, 1, 3]);
+  assert.deepEqual([...organ.voxelSize], [2, 1, 1, 1]);
+  assert.equal(organ.edge, 2);
+});
+
+test('no outer edge where finer voxels cover a coarser one', () => {
+  const places = [0, 0, 0];
+  const sizes = [2];
+  for (let i = 0; i < 4; ++i) {
+    places.push(2, i & 1, i >> 1);
+    sizes.push(1);
+  }
+  const edges = (count: number) => {
+    const organ = {
+      voxelCount: count,
+      voxelPlace: Uint16Array.from(places.slice(0, 3 * count)),
+      voxelSize: Uint8Array.from(sizes.slice(0, count)),
+    } as Organ;
+    const corners = Uint32Array.from({length: 8 * count}, (_, i) => i);
+    return outerEdges(organ, corners).length / 2;
+  };
+  assert.equal(edges(1), 12);
+  // No particle is shared here. The coarse one keeps all edges, by its other faces; each fine one
+  // has three outer faces at a corner, with nine edges.
+  assert.equal(edges(5), 12 + 4 * 9);
+});
+
 test('normals point outward and have length one', () => {
   const organ = readOrgan(buffer(kSmall.bytes));
   const normals = vertexNormals(organ.vertexRest, organ.triangles);
@@ -211,7 +260,9 @@ test('outer edges: 12 of one voxel, 20 of two side by side, none inside', () => 
         }
       }
     }
-    const organ = {voxelCount: places.length / 3, voxelPlace: Uint16Array.from(places)} as Organ;
+    const voxelCount = places.length / 3;
+    const voxelSize = new Uint8Array(voxelCount).fill(1);
+    const organ = {voxelCount, voxelPlace: Uint16Array.from(places), voxelSize} as Organ;
     return outerEdges(organ, Uint32Array.from(corners)).length / 2;
   };
   assert.equal(box(1, 1, 1), 12);

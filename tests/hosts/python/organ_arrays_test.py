@@ -109,6 +109,8 @@ class Labels(Case):
                 (("--voxels-across", "9", "--name", "mine", "--split-gaps", "--crop", "z>30%"),
                  {"voxels_across": 9, "name": "mine", "split_gaps": True, "crop": ["z>30%"]}),
                 (("--slide", "tumour:liver:0.3"), {"slides": ["tumour:liver:0.3"]}),
+                (("--refine", "labels:tumour:2", "--refine", "surface"),
+                 {"refine": ["labels:tumour:2", "surface"]}),
                 (("--layers-of", "liver", "--layers-along", "-y", "--layer", "fat:8", "--layer",
                   "muscle:90", "--fill-gaps", "fat:3"),
                  {"layers_of": "liver", "layers_along": "-y", "layers": ["fat:8", "muscle:90"],
@@ -258,7 +260,9 @@ class Meshes(Case):
         random = np.random.default_rng(3)
         for words, options in (((), {}),
                                (("--voxel-mm", "3", "--capsule", "none", "--wrap"),
-                                {"voxel_edge_m": 0.003, "capsule": "none", "wrap": True})):
+                                {"voxel_edge_m": 0.003, "capsule": "none", "wrap": True}),
+                               (("--refine", "way:-50,0,0:50,0,0:8.5:2"),
+                                {"refine": "way:-50,0,0:50,0,0:8.5:2"})):
             low = random.uniform(-0.02, 0.0, 3)
             outer = self.box(low, low + random.uniform(0.03, 0.05, 3))
             inner = self.box(low + 0.01, low + 0.02)

@@ -17,9 +17,10 @@ const kFractions = 65535;
 
 export interface Organ {
   name: string;
-  edge: number;
+  edge: number;  // of the finest level's voxels
   voxelCount: number;
-  voxelPlace: Uint16Array;  // x y z of the cell, each voxel
+  voxelPlace: Uint16Array;  // x y z of each voxel's low corner, in those edges
+  voxelSize: Uint8Array;    // its own edge, in those edges
   voxelMaterial: Uint8Array;
   materials: string[];
   vertexVoxel: Uint32Array;
@@ -31,16 +32,33 @@ export interface Organ {
 
 export class OrganError extends Error {}
 
-function walkRuns(organ: WireOrgan): Uint16Array {
+// Levels lie one after the other along z, each with twice the planes of the one before and an empty
+// plane between two.
+function walkRuns(organ: WireOrgan): [Uint16Array, Uint8Array] {
   const places: number[] = [];
+  const sizes: number[] = [];
   const run = new Run();
   const rows = organ.sheets()?.rows() || organ.sizeY();  // of a sheet: all lie at the same place
+  const [levels, planes] = levelsOf(organ);
+  const start = (level: number) => level + planes * (2 ** level - 1);
   for (let i = 0; i < organ.runsLength(); ++i) {
     organ.runs(i, run);
-    const [x, y, z, count] = [run.x(), run.y() % rows, run.z(), run.count()];
-    for (let along = 0; along < count; ++along) places.push(x + along, y, z);
+    let level = 0;
+    while (level + 1 < levels && run.z() >= start(level + 1)) ++level;
+    const size = 2 ** (levels - 1 - level);
+    const [x, y, z] = [run.x(), run.y() % rows, run.z() - start(level)];
+    for (let along = 0; along < run.count(); ++along) {
+      places.push(size * (x + along), size * y, size * z);
+      sizes.push(size);
+    }
   }
-  return Uint16Array.from(places);
+  return [Uint16Array.from(places), Uint8Array.from(sizes)];
+}
+
+// How many levels an organ has, and the planes of the coarsest.
+function levelsOf(organ: WireOrgan): [number, number] {
+  const levels = organ.levels();
+  return levels ? [levels.count(), levels.planes()] : [1, organ.sizeZ()];
 }
 
 function readVertices(wire: WireOrgan, organ: Organ): void {
@@ -55,7 +73,8 @@ function readVertices(wire: WireOrgan, organ: Organ): void {
       const part = fraction / kFractions;
       organ.vertexFraction[3 * i + axis] = part;
       organ.vertexRest[3 * i + axis] =
-          origin[axis] + (organ.voxelPlace[3 * voxel + axis] + part) * organ.edge;
+          origin[axis] +
+          (organ.voxelPlace[3 * voxel + axis] + part * organ.voxelSize[voxel]) * organ.edge;
     });
   }
 }
@@ -96,12 +115,13 @@ export function readOrgan(bytes: ArrayBuffer): Organ {
     throw new OrganError('no organ file');
   }
   const wire = WireOrgan.getRootAsOrgan(buffer);
-  const voxelPlace = walkRuns(wire);
+  const [voxelPlace, voxelSize] = walkRuns(wire);
   const organ: Organ = {
     name: wire.name() ?? '',
-    edge: wire.voxelEdgeM(),
+    edge: wire.voxelEdgeM() / 2 ** (levelsOf(wire)[0] - 1),
     voxelCount: voxelPlace.length / 3,
     voxelPlace,
+    voxelSize,
     voxelMaterial: (wire.voxelMaterialArray() ?? new Uint8Array()).slice(),
     materials: [],
     vertexVoxel: new Uint32Array(wire.verticesLength()),
@@ -145,14 +165,35 @@ export function isOpen(triangles: Uint32Array): boolean {
   return single.size > 0;
 }
 
+// Whether tissue covers the square of a voxel's size that lies across one of its faces: a voxel of
+// its size, one of twice, or four of half. Places are low corners of such voxels.
+function covers(organ: Organ): (place: number[], size: number, axis: number, side: number) =>
+    boolean {
+  const filled = new Map<number, Set<number>>();  // by size
+  const key = ([x, y, z]: ArrayLike<number>&Iterable<number>) =>
+      x + 1 + 65537 * (y + 1 + 65537 * (z + 1));
+  for (let v = 0; v < organ.voxelCount; ++v) {
+    const size = organ.voxelSize[v];
+    if (!filled.has(size)) filled.set(size, new Set());
+    filled.get(size)?.add(key(organ.voxelPlace.subarray(3 * v, 3 * v + 3)));
+  }
+  const has = (size: number, place: number[]) => filled.get(size)?.has(key(place)) ?? false;
+  return (place, size, axis, side) => {
+    if (has(size, place) || has(2 * size, place.map((at) => at - at % (2 * size)))) return true;
+    const half = size / 2;
+    return [0, 1, 2, 3].every((quarter) => {
+      const at = [...place];
+      at[axis] += side === 1 ? 0 : half;  // those that touch the face
+      at[(axis + 1) % 3] += (quarter & 1) * half;
+      at[(axis + 2) % 3] += (quarter >> 1) * half;
+      return has(half, at);
+    });
+  };
+}
+
 // Edges of the lattice's outer faces, as pairs of particles: what is seen of it from outside.
 export function outerEdges(organ: Organ, corners: Uint32Array): Uint32Array {
-  const key = (x: number, y: number, z: number) => x + 65537 * (y + 65537 * z);
-  const filled = new Set<number>();
-  for (let v = 0; v < organ.voxelCount; ++v) {
-    const [x, y, z] = organ.voxelPlace.subarray(3 * v, 3 * v + 3);
-    filled.add(key(x + 1, y + 1, z + 1));
-  }
+  const isCovered = covers(organ);
   const seen = new Set<number>();
   const pairs: number[] = [];
   const add = (a: number, b: number) => {
@@ -162,12 +203,12 @@ export function outerEdges(organ: Organ, corners: Uint32Array): Uint32Array {
     pairs.push(a, b);
   };
   for (let v = 0; v < organ.voxelCount; ++v) {
-    const [x, y, z] = organ.voxelPlace.subarray(3 * v, 3 * v + 3);
+    const size = organ.voxelSize[v];
     for (let axis = 0; axis < 3; ++axis) {
       for (const side of [0, 1]) {
-        const step = [0, 0, 0];
-        step[axis] = side === 1 ? 1 : -1;
-        if (filled.has(key(x + 1 + step[0], y + 1 + step[1], z + 1 + step[2]))) continue;
+        const beyond = [...organ.voxelPlace.subarray(3 * v, 3 * v + 3)];
+        beyond[axis] += side === 1 ? size : -size;
+        if (isCovered(beyond, size, axis, side)) continue;
         const one = 1 << axis;
         const [p, q] = [1 << (axis + 1) % 3, 1 << (axis + 2) % 3];
         const at = (corner: number) => corners[8 * v + corner + (side === 1 ? one : 0)];

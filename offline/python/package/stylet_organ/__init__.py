@@ -32,8 +32,8 @@ __version__ = _stylet_organ.version().split()[-1]
 TISSUES = _stylet_organ.presets()
 
 OPTIONS = ("name", "voxel_edge_m", "voxels_across", "capsule", "fix", "crop", "layers", "layers_of",
-           "layers_along", "membranes", "slides", "fill_gaps", "split_gaps")
-LISTS = ("fix", "crop", "layers", "membranes", "slides")
+           "layers_along", "membranes", "slides", "refine", "fill_gaps", "split_gaps")
+LISTS = ("fix", "crop", "layers", "membranes", "slides", "refine")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -89,8 +89,8 @@ def from_labels(labels, tissues=None, *, recipe=None, spacing_m=None, origin_m=N
     with tissues of your own, or a dict of its tables.
     `progress` is called with a stage and how much of it is done; what it raises ends the build, as
     Ctrl-C does. Options, with the program's defaults: name, voxel_edge_m, voxels_across, capsule,
-    fix, crop, layers, layers_of, layers_along, membranes, slides, fill_gaps, split_gaps; texts as
-    the program's: in mm, and so is a membrane's mesh file.
+    fix, crop, layers, layers_of, layers_along, membranes, slides, refine, fill_gaps, split_gaps;
+    texts as the program's: in mm, and so is a membrane's mesh file.
 
     Returns Built. What the program would warn of is a UserWarning here, what it would refuse is
     Refused, a ValueError: in its words, with the names of arguments for its options."""

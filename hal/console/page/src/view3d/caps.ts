@@ -49,24 +49,25 @@ function openEdges(triangles: Uint32Array): [number, number][] {
 // Outer faces of voxels on those sides of the lattice's box where the surface is open.
 export function croppedFaces(organ: Organ, hello: Hello): Quad[] {
   const edges = openEdges(organ.triangles);
-  const {voxelPlace, voxelCount, vertexVoxel} = organ;
+  const {voxelPlace, voxelSize, voxelCount, vertexVoxel} = organ;
   const quads: Quad[] = [];
   if (edges.length === 0) return quads;
   for (let axis = 0; axis < 3; ++axis) {
+    const end = (v: number, side: number) => voxelPlace[3 * v + axis] + side * voxelSize[v];
     let [low, high] = [Infinity, -Infinity];
     for (let v = 0; v < voxelCount; ++v) {
-      low = Math.min(low, voxelPlace[3 * v + axis]);
-      high = Math.max(high, voxelPlace[3 * v + axis]);
+      low = Math.min(low, end(v, 0));
+      high = Math.max(high, end(v, 1));
     }
     for (const side of [0, 1]) {
       const layer = side === 1 ? high : low;
-      const at = (vertex: number) => voxelPlace[3 * vertexVoxel[vertex] + axis] === layer;
+      const at = (vertex: number) => end(vertexVoxel[vertex], side) === layer;
       const here = edges.filter(([a, b]) => at(a) && at(b)).length;
       if (here < kCropShare * edges.length) continue;
       const [p, q] = [1 << (axis + 1) % 3, 1 << (axis + 2) % 3];
       const base = side << axis;
       for (let v = 0; v < voxelCount; ++v) {
-        if (voxelPlace[3 * v + axis] !== layer) continue;
+        if (end(v, side) !== layer) continue;
         const corners =
             [base, base + p, base + p + q, base + q].map((c) => hello.corners[8 * v + c]);
         quads.push({voxel: v, corners, axis});

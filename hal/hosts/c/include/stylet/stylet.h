@@ -186,6 +186,8 @@ typedef struct {
 STYLET_API stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                                    stylet_material* material_out);
 
+/* x, y, z: of the organ's lattice. Where voxels have several sizes, their levels lie one after the
+ * other along z, as stylet/levels.h of the kernel says; voxel_edge_m is that of the coarsest. */
 typedef struct {
   uint16_t x, y, z;
   uint8_t material, fixed; /* bit i: corner i is held, corner dx + 2 dy + 4 dz */
