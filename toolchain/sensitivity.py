@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What do the hands feel of each number in the kernel that was measured or chosen?
 
-usage: sensitivity.py [--check | --again] [--build FOLDER] [NAME]...   (names: only these rows)
+usage: sensitivity.py [--check | --again] [--build FOLDER] [NAME]...   (names: play only these)
 
 toolchain/constants.txt lists every number with a name, and where it comes from. For those measured
 or chosen this builds the kernel once more from a copy in which each is a variable (the copy must
@@ -10,7 +10,8 @@ give the bits of the original), and plays drawn scenes with moving hands (tests/
 one of them halved, then doubled. kernel/constants.md gets what came of it. The hands follow the
 same ways whatever they feel. --check plays nothing: it refuses a number in the sources that is not
 listed, one that is listed twice or gone, and a table with another value or without a row. --again
-plays everything, changes nothing, and refuses rows that came out otherwise.
+plays everything, changes nothing, and refuses rows that came out otherwise. With only NAMEs of
+another kind (a bound, say) nothing is built or played: the table gets their rows at once.
 """
 import argparse
 import collections
@@ -404,6 +405,27 @@ def differences(results, rows):
                 yield f"{TABLE}: {name}: '{now}' now, not '{then}'; run sensitivity.py"
 
 
+def to_play(constants, values, wanted):
+    """The constants, or their elements, that are played for these names; all for none."""
+    listed_names = {name for each in constants if each[:2] in values
+                    for name in (each.name, *parts_of(each, values))}
+    for name in wanted:
+        if name not in listed_names:
+            sys.exit(f"sensitivity.py: {name}: not in {LIST}")
+    return [part for each in filter(is_played, constants) for part in parts_of(each, values)
+            if not wanted or {part, each.name} & set(wanted)]
+
+
+def played_results(folder, constants, names):
+    """Name -> (half, double, broken), of these and the controls."""
+    base = play(build(folder / "plain", []))
+    program = build(folder / "tuned", list(filter(is_played, constants)))
+    same = play(program)
+    if [each.says for each in base] != [each.says for each in same]:
+        sys.exit("sensitivity.py: the kernel with variables is not the kernel")
+    return measure(program, base, names)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -421,15 +443,8 @@ def main():
         found = list(faults(constants, values, table))
         print("\n".join(found))
         return bool(found)
-    played = list(filter(is_played, constants))
-    names = [part for each in played for part in parts_of(each, values)
-             if not options.names or {part, each.name} & set(options.names)]
-    base = play(build(options.build / "plain", []))
-    program = build(options.build / "tuned", played)
-    same = play(program)
-    if [each.says for each in base] != [each.says for each in same]:
-        sys.exit("sensitivity.py: the kernel with variables is not the kernel")
-    results = measure(program, base, names)
+    names = to_play(constants, values, options.names)
+    results = played_results(options.build, constants, names) if names else {}
     if options.again:
         found = list(differences(results, rows_of(table)))
         print("\n".join(found))

@@ -66,15 +66,27 @@ TEST(Info, OfTheBarestFileSaysWhatItContains) {
   EXPECT_THAT(text, Not(HasSubstr("made by")));
 }
 
-TEST(Info, TissueThatStiffensIsShown) {
+// By their keys in tables of tissues.
+TEST(Info, NumbersOfFrictionAndThoseThatNotEveryTissueHasAreShownUnlessTheyAreZero) {
   format::OrganT organ = barest();
   const auto text_of = [](const format::OrganT& shown) {
     const auto bytes = bytes_of(shown);
     return offline::organ_text(offline::organ_facts(offline::open_organ("a.organ", bytes), bytes));
   };
-  EXPECT_THAT(text_of(organ), Not(HasSubstr("stiffening")));
-  organ.materials[0]->strain_stiffening = 37.5F;
-  EXPECT_THAT(text_of(organ), HasSubstr("  stiffening 37.5  "));
+  auto& material = *organ.materials[0];
+  material.coulomb_friction_n_per_m = 8;
+  material.static_friction_n_per_m = 12;
+  material.stribeck_velocity_m_per_s = 0.25F;
+  material.viscous_friction_n_s_per_m2 = 0;
+  EXPECT_THAT(text_of(organ), HasSubstr("\n              coulomb_friction_n_per_mm 0.008  "
+                                        "static_friction_n_per_mm 0.012  "
+                                        "stribeck_velocity_mm_per_s 250\n"));
+  EXPECT_THAT(text_of(organ), HasSubstr("  puncture "));
+  material.strain_stiffening = 37.5F;
+  material.fracture_toughness_j_per_m2 = 90;
+  EXPECT_THAT(text_of(organ), HasSubstr("stribeck_velocity_mm_per_s 250  strain_stiffening 37.5  "
+                                        "fracture_toughness_j_per_m2 90\n"));
+  EXPECT_THAT(text_of(organ), Not(HasSubstr("  puncture ")));
 }
 
 TEST(Info, EmptyOriginsAreShownEmpty) {

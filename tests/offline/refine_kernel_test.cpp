@@ -28,7 +28,7 @@ TEST(Refine, ARandomBodyRests) {
         refined(6, {fmt::format("way:{},{},{}:{},{},{}:{}:2", place(), place(), place(), place(),
                                 place(), place(), draw.between(1, 5)),
                     "surface"});
-    options.held = offline::parse_regions({"z<30%"}, 1);
+    options.held = offline::parse_regions({"z<30%"}, {1});
     Mesh mesh = turned(offline::ball_phantom(0.03, 4e-3), random_frame(draw));
     for (Vec& p : mesh.points) p.x *= draw.between(0.999, 1.001);
     const auto built = build_quietly({input_of(mesh, 1, "kidney")}, options);
@@ -42,7 +42,7 @@ TEST(Refine, ARandomBodyRests) {
 // A block of 40 mm, held below, with voxels of 5 mm.
 offline::Built block(double voxel_mm, const std::vector<std::string>& where) {
   BuildOptions options = refined(voxel_mm, where);
-  options.held = offline::parse_regions({"z<1"}, 1);
+  options.held = offline::parse_regions({"z<1"}, {1});
   return build_quietly({input_of(box_mesh({0, 0, 0}, {0.04, 0.04, 0.04}), 1, "gel")}, options);
 }
 

@@ -224,7 +224,7 @@ TEST(Refine, RandomBodiesInRandomPlaces) {
     std::vector<std::string> where = {drawn_refinement(draw)};
     if (draw.coin()) where.push_back(drawn_refinement(draw));
     BuildOptions options = refined(draw.between(4, 8), where);
-    if (draw.coin()) options.held = offline::parse_regions({"z<20%"}, 1);
+    if (draw.coin()) options.held = offline::parse_regions({"z<20%"}, {1});
     if (draw.below(4) == 0) options.crop = offline::parse_crop({"x<4"});
     const auto built = build_quietly(inputs, options);
     const Organ organ = opened(built.bytes);
@@ -414,7 +414,7 @@ TEST(Refine, ATumourAndALayerThatVanishHaveVoxels) {
 TEST(Refine, ReportsCountEachLevel) {
   Draw draw(5);
   BuildOptions options = refined(6, {"way:-20,0,0:20,0,0:3:2"});
-  options.held = offline::parse_regions({"z<20%"}, 1);
+  options.held = offline::parse_regions({"z<20%"}, {1});
   options.measured = true;
   const auto built = build_quietly({input_of(ellipsoid(draw), 1, "kidney")}, options);
   const Organ organ = opened(built.bytes);

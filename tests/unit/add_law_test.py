@@ -6,7 +6,9 @@ tissues have 0 for it, the key is known, and the shaft's friction follows it. So
 that a tissue chooses instead of the first: tissues that do not choose it keep their bits, and a
 shaft in both has each law on its part of the length.
 
-usage: add_law_test.py SOURCE COMPILER FLATC
+usage: add_law_test.py SOURCE COMPILER FLATC ORGAN_SOURCE...
+
+The last are the sources of stylet_organ as the build has them, from SOURCE/kernel.
 """
 import pathlib
 import shutil
@@ -18,7 +20,8 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from command import run
 
-SOURCE, COMPILER, FLATC = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+SOURCE = pathlib.Path(sys.argv[1])
+COMPILER, FLATC, *ORGAN = sys.argv[2:]
 
 # Where a number is added: file, the line with which its list begins, how a line of the list ends
 # if another follows.
@@ -31,7 +34,7 @@ LEAST = "least_friction_n_per_m(const Friction& f)"
 NEW_NUMBERS = [
     (MATERIAL, 'F(wet_friction_n_per_m, 0, 10, "0 to 10", "wet_friction_n_per_mm", 1e3, false)'),
     (SCHEMA, "wet_friction_n_per_m:float32;"),
-    (FRICTION, "F(wet_n_per_m, m.wet_friction_n_per_m)"),
+    (FRICTION, "F(wet_n_per_m, true, m.wet_friction_n_per_m)"),
 ]
 # What is written before or in place of a text of laws/friction.h. The law that is there is called
 # by the new one, whatever it is.
@@ -48,12 +51,12 @@ STAYS = "(1 - m.rising_friction) * "
 SECOND_NUMBERS = [
     (MATERIAL, 'F(rising_friction, 0, 1, "0 to 1", "rising_friction", 1, false)'),
     (SCHEMA, "rising_friction:float32;"),
-    (FRICTION, "F(rising_n_per_m, m.rising_friction * m.coulomb_friction_n_per_m)"),
+    (FRICTION, "F(rising_n_per_m, true, m.rising_friction * m.coulomb_friction_n_per_m)"),
 ]
 SECOND_LAW = [
-    ("F(coulomb_n_per_m, ", "F(coulomb_n_per_m, " + STAYS),
-    ("F(static_n_per_m, ", "F(static_n_per_m, " + STAYS),
-    ("F(viscous_n_s_per_m2, ", "F(viscous_n_s_per_m2, " + STAYS),
+    ("F(coulomb_n_per_m, true, ", "F(coulomb_n_per_m, true, " + STAYS),
+    ("F(static_n_per_m, true, ", "F(static_n_per_m, true, " + STAYS),
+    ("F(viscous_n_s_per_m2, true, ", "F(viscous_n_s_per_m2, true, " + STAYS),
     (f"inline float {LAW} {{",
      f"inline float first_{LAW};\ninline float {LAW} {{\n"
      "  const float s = speed_m_per_s * f.inverse_stribeck_s_per_m;\n"
@@ -84,6 +87,8 @@ int main(int, char** arguments) {
   const Friction dry = friction_of(organ_material(organ, 0)), wet = friction_of(material);
   std::printf(" %g %g", double(friction_n_per_m(wet, 1)) - double(friction_n_per_m(dry, 1)),
               double(mixed({}, wet, 0.5F).wet_n_per_m));
+  material.coulomb_friction_n_per_m = 5;
+  std::printf(" %g", double(friction_with_coulomb(material, 15).wet_n_per_m));
   for (const offline::Tissue& tissue : offline::read_tissues(arguments[1])) {
     std::printf(" %g", tissue.wet_friction_n_per_m);
   }
@@ -114,8 +119,8 @@ int main() {
 }
 """
 
-# Friction at 0.3 times the Stribeck speed: of a tissue with each law, and of a shaft with a quarter
-# of its length in the tissue with the second law.
+# Friction at 0.3 times the Stribeck speed: of a tissue with each law, of a shaft with a quarter of
+# its length in the tissue with the second law, and of that tissue with three times the friction.
 BOTH = """#include <cstdio>
 #include "laws/friction.h"
 
@@ -128,8 +133,8 @@ int main() {
   m.viscous_friction_n_s_per_m2 = 100;
   const Friction first = friction_of(m);
   m.rising_friction = 1;
-  const Friction second = friction_of(m);
-  const Friction each[] = {first, second, mixed(first, second, 0.25F)};
+  const Friction second = friction_of(m), thrice = friction_with_coulomb(m, 30);
+  const Friction each[] = {first, second, mixed(first, second, 0.25F), thrice};
   for (const Friction& f : each) {
     std::printf("%.9g %.9g ", double(friction_n_per_m(f, 0.003F)),
                 double(least_friction_n_per_m(f)));
@@ -221,8 +226,8 @@ class AddLaw(unittest.TestCase):
                 offline / "asset/write_organ.cpp", "-I", SOURCE / "kernel/content")
             (folder / "main.cpp").write_text(PROGRAM)
             program = folder / "program"
-            run(*compiler, "-o", program, folder / "main.cpp", kernel / "organ/organ.cpp",
-                kernel / "organ/runs.cpp", kernel / "base/status.cpp",
+            organ = [folder / "kernel" / each for each in ORGAN]
+            run(*compiler, "-o", program, folder / "main.cpp", *organ,
                 offline / "asset/materials.cpp", offline / "base/toml_file.cpp",
                 SOURCE / "toolchain/toml/toml_text.cpp",
                 offline / "base/file.cpp", "-lfmt", "-lcrypto")
@@ -230,15 +235,14 @@ class AddLaw(unittest.TestCase):
                 WRITER.replace("FORMER", last_field().upper()).replace("former", last_field()))
             writer = folder / "writer"
             run(*compiler, "-I", SOURCE / "kernel/content", "-o", writer, folder / "writer.cpp",
-                kernel / "organ/organ.cpp", kernel / "organ/runs.cpp", kernel / "base/status.cpp",
-                SOURCE / "kernel/content/content_sum.cpp", SOURCE / "kernel/content/sha256.cpp",
-                "-lfmt", "-lcrypto", "-lmd")
+                *organ, SOURCE / "kernel/content/content_sum.cpp",
+                SOURCE / "kernel/content/sha256.cpp", "-lfmt", "-lcrypto", "-lmd")
             # An organ without the new number has the same bytes as before.
             self.assertEqual(run(writer), "1 0 0;1 1 4;")
             tissues = folder / "tissues.toml"
             tissues.write_text("[gel]\n[liver]\nwet_friction_n_per_mm = 0.002\n")
-            # 4 / 2 at 1 m/s; half of 4 in the mean.
-            self.assertEqual(run(program, tissues), "0 2 2 0 2")
+            # 4 / 2 at 1 m/s; half of 4 in the mean; 4 for Coulomb friction of 5, so 12 for 15.
+            self.assertEqual(run(program, tissues), "0 2 2 12 0 2")
             tissues.write_text("[liver]\nwet_friction_n_per_mm = 0.02\n")
             done = subprocess.run([program, tissues], capture_output=True, text=True)
             self.assertIn("wet_friction_n_per_mm = 0.02: expected 0 to 0.01", done.stderr)
@@ -255,7 +259,8 @@ class AddLaw(unittest.TestCase):
             found = [float(each) for each in self.printed(after, new, BOTH).split()]
             first, least = found[:2]
             second = 10 * (1 + 0.3 / 1.3)
-            wanted = [second, 10, 0.75 * first + 0.25 * second, 0.75 * least + 0.25 * 10]
+            wanted = [second, 10, 0.75 * first + 0.25 * second, 0.75 * least + 0.25 * 10,
+                      3 * second, 30]
             for number, right in zip(found[2:], wanted, strict=True):
                 self.assertAlmostEqual(number / right, 1, delta=1e-6)
 

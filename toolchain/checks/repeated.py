@@ -4,7 +4,8 @@
 near as the document's last digit.
 
 The files are written by the tests' own programs (--update); a document that repeats their numbers
-would stay behind. --write puts the files' numbers into the documents.
+would stay behind. --write puts the files' numbers where a document no longer agrees. Others stay:
+the README's are what tests measured on that day (promises.py).
 
 usage: repeated.py REPOSITORY [--write]
 """
@@ -99,7 +100,7 @@ def agrees(text, number):
 
 
 def compared(top, document, expression, numbers):
-    """(the document's text, with these numbers in it; faults)"""
+    """(the document's text, with these numbers in it if its own do not agree; faults)"""
     text = (top / document).read_text()
     match = re.search(expression, text)
     if match is None:
@@ -113,7 +114,7 @@ def compared(top, document, expression, numbers):
             line = text.count("\n", 0, start) + 1
             faults.append(f"{document}:{line}: says {said}, measured is {right}; "
                           "toolchain/checks/repeated.py . --write")
-    return written, faults
+    return written if faults else text, faults
 
 
 def main(top, write):

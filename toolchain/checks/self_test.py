@@ -394,8 +394,9 @@ class Repeated(Sample):
         self.assertIn("a.md:2: says 1.40, measured is 1.54", faults[0])
         self.assertIn("a.md:2: says 1191, measured is 1204", faults[1])
 
-    def test_accepts_a_percent_and_the_last_digit(self):
-        self.assertEqual(self.faults("dearest 1193, bound 1.5 G")[1], [])
+    def test_accepts_a_percent_and_the_last_digit_and_leaves_them(self):
+        near = "dearest 1193, bound 1.5 G"
+        self.assertEqual(self.faults(near), (near, []))
 
     def test_refuses_a_document_that_says_no_more_such_thing(self):
         self.expect_one(self.faults("dearest of all")[1], "a.md", "says no more")
@@ -494,6 +495,16 @@ class Constants(Sample):
         self.expect_one(self.faults([*self.LIST, gone]), "kE")
         self.expect_one(self.faults(self.LIST + self.LIST[1:2]), "2 times")
         self.expect_one(self.faults([row.replace("exact", "guess") for row in self.LIST]), "guess")
+
+    def test_plays_what_was_measured_or_chosen_and_nothing_for_others(self):
+        self.write(self.FILE, self.CODE)
+        constants = sensitivity.listed("\n".join(self.LIST))
+        values = sensitivity.read_values(constants, self.top)
+        for wanted, played in ([], ["kA", "kC[0]", "kC[1]", "Config::rate_per_s"]), \
+                (["kC"], ["kC[0]", "kC[1]"]), (["kC[1]", "kB"], ["kC[1]"]), (["kB"], []):
+            self.assertEqual(sensitivity.to_play(constants, values, wanted), played)
+        with self.assertRaisesRegex(SystemExit, "kZ: not in .*constants.txt"):
+            sensitivity.to_play(constants, values, ["kA", "kZ"])
 
     def test_refuses_another_value_and_rows_not_played(self):
         constants = sensitivity.listed("\n".join(self.LIST))

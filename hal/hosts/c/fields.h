@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the fields of a struct that may grow begin and end, so that a size which cuts one in two is
 // known: no header ever had it, and half a number is none. A struct that gets a field does not
-// compile until it has one more name here.
+// compile until it has one more name here; the names say nothing, after z comes aa.
 #pragma once
 
 #include <array>

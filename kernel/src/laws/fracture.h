@@ -129,7 +129,7 @@ inline NeedleForces needle_forces(const Material& m, const NeedleConfig& needle,
     const float pressed_n_per_m = m.needle_friction_coefficient *
                                   shaft_pressure_pa(plane_modulus_pa(m)) *
                                   circumference_m(needle.outer_radius_m);
-    out.friction = friction_of(m, min_of(pressed_n_per_m, kMaxFrictionNPerM));
+    out.friction = friction_with_coulomb(m, min_of(pressed_n_per_m, kMaxFrictionNPerM));
   }
   if (m.membrane_n_per_m > 0) {
     out.film = film_at(plane_modulus_pa(m), m.membrane_n_per_m, out.puncture_n);

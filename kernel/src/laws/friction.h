@@ -2,7 +2,7 @@
 // Friction of a shaft in tissue: the law, per metre of shaft.
 //
 // Coulomb friction, static friction that fades over the Stribeck speed, and a viscous part:
-//     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + c v.
+//     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + f_v v.
 // Speeds have no sign; the return map knows the direction. Another law with these numbers changes
 // friction_n_per_m and least_friction_n_per_m. One more number is also a line of the list below,
 // and where no material has it yet, one in stylet/material.h (tests/unit/add_law_test.py). A law
@@ -20,40 +20,41 @@
 
 namespace stylet {
 
-// F(number, of): a number of the friction of a metre of shaft, and how it follows from the material
-// m. None is below 0. Along a shaft in several tissues each is the mean over the length.
-#define STYLET_FRICTION_NUMBERS(F)                             \
-  F(coulomb_n_per_m, m.coulomb_friction_n_per_m)               \
-  F(static_n_per_m, m.static_friction_n_per_m)                 \
-  F(inverse_stribeck_s_per_m, 1 / m.stribeck_velocity_m_per_s) \
-  F(viscous_n_s_per_m2, m.viscous_friction_n_s_per_m2)
+// F(number, is_force, of): a number of the friction of a metre of shaft; whether it is a force, or
+// one per speed, so that it grows in proportion to friction; how it follows from the material m.
+// None is below 0. Along a shaft in several tissues each is the mean over the length, begun with 0.
+// So the Stribeck speed, by which the law divides, is there as its inverse.
+#define STYLET_FRICTION_NUMBERS(F)                                    \
+  F(coulomb_n_per_m, true, m.coulomb_friction_n_per_m)                \
+  F(static_n_per_m, true, m.static_friction_n_per_m)                  \
+  F(inverse_stribeck_s_per_m, false, 1 / m.stribeck_velocity_m_per_s) \
+  F(viscous_n_s_per_m2, true, m.viscous_friction_n_s_per_m2)
 
-#define STYLET_FRICTION_FIELD(number, of) float number;
+#define STYLET_FRICTION_FIELD(number, is_force, of) float number;
 struct Friction {
   STYLET_FRICTION_NUMBERS(STYLET_FRICTION_FIELD)
 };
 #undef STYLET_FRICTION_FIELD
 
-#define STYLET_FRICTION_PLACE(number, of) &Friction::number,
+#define STYLET_FRICTION_PLACE(number, is_force, of) &Friction::number,
 inline constexpr float Friction::*kFrictionNumbers[] = {
     STYLET_FRICTION_NUMBERS(STYLET_FRICTION_PLACE)};
 #undef STYLET_FRICTION_PLACE
 
-#define STYLET_FRICTION_OF(number, of) of,
-inline Friction friction_of(const Material& m) {
+// Of the material, its forces multiplied by the factor.
+#define STYLET_FRICTION_OF(number, is_force, of) (is_force ? factor : 1.0F) * (of),
+inline Friction friction_of(const Material& m, float factor = 1) {
   return {STYLET_FRICTION_NUMBERS(STYLET_FRICTION_OF)};
 }
 #undef STYLET_FRICTION_OF
 
 // The same dependence on speed for another Coulomb friction; a tissue that has none written gets
-// it at any speed, besides what is viscous. The tissue changes, not its Friction: so whatever law a
-// tissue has chosen follows.
-inline Friction friction_of(Material m, float coulomb_n_per_m) {
-  const bool from_nothing = !(m.coulomb_friction_n_per_m > 0);
-  const float factor = from_nothing ? 1 : coulomb_n_per_m / m.coulomb_friction_n_per_m;
-  m.static_friction_n_per_m = from_nothing ? coulomb_n_per_m : factor * m.static_friction_n_per_m;
-  m.viscous_friction_n_s_per_m2 = factor * m.viscous_friction_n_s_per_m2;
-  m.coulomb_friction_n_per_m = from_nothing ? coulomb_n_per_m : factor * m.coulomb_friction_n_per_m;
+// it at any speed, besides what is viscous.
+inline Friction friction_with_coulomb(Material m, float coulomb_n_per_m) {
+  if (m.coulomb_friction_n_per_m > 0) {
+    return friction_of(m, coulomb_n_per_m / m.coulomb_friction_n_per_m);
+  }
+  m.static_friction_n_per_m = m.coulomb_friction_n_per_m = coulomb_n_per_m;
   return friction_of(m);
 }
 
@@ -72,7 +73,7 @@ inline float least_friction_n_per_m(const Friction& f) {
 }
 
 // The mean over a length, of which `part` has the friction `next`.
-#define STYLET_FRICTION_MEAN(number, of) mean.number + part*(next.number - mean.number),
+#define STYLET_FRICTION_MEAN(number, is_force, of) mean.number + part*(next.number - mean.number),
 inline Friction mixed(const Friction& mean, const Friction& next, float part) {
   return {STYLET_FRICTION_NUMBERS(STYLET_FRICTION_MEAN)};
 }

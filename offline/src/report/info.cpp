@@ -82,17 +82,23 @@ Json material_facts(const Organ& organ, const Sums& sums) {
   return list;
 }
 
-// What a needle meets: as it is written, or what it follows from.
+// What a needle meets at its tip, if it does not follow from the toughness among the numbers below.
 std::string forces_text(const Json& m) {
-  const double toughness = m["fracture_toughness_j_per_m2"].get<double>();
-  const double coefficient = m["needle_friction_coefficient"].get<double>();
-  return (toughness > 0 ? fmt::format("toughness {:.4g} J/m2", toughness)
-                        : fmt::format("puncture {:.3g} N  cutting {:.3g} N",
-                                      m["puncture_force_n"].get<double>(),
-                                      m["cutting_force_n"].get<double>())) +
-         (coefficient > 0 ? fmt::format("  friction coefficient {:.3g}", coefficient)
-                          : fmt::format("  friction {:.4g} N/mm",
-                                        m["coulomb_friction_n_per_mm"].get<double>()));
+  if (m["fracture_toughness_j_per_m2"].get<double>() > 0) return "";
+  return fmt::format("  puncture {:.3g} N  cutting {:.3g} N", m["puncture_force_n"].get<double>(),
+                     m["cutting_force_n"].get<double>());
+}
+
+// Numbers of friction, and those that not every tissue has: a new one is among them.
+std::string numbers_text(const Json& m) {
+  std::string text(12, ' ');
+  bool listed = false;
+  for (const MaterialNumber& number : kMaterialNumbers) {
+    listed = listed || number.field == &Material::coulomb_friction_n_per_m;
+    const double value = m[number.key].get<double>();
+    if (listed && value != 0) text += fmt::format("  {} {:.4g}", number.key, value);
+  }
+  return text;
 }
 
 Json byte_facts(const Organ& organ, std::size_t total) {
@@ -339,15 +345,11 @@ std::string organ_text(const nlohmann::ordered_json& f) {
                         f["voxels_that_share_cells"].get<std::size_t>());
   }
   for (const auto& m : f["materials"]) {
-    const double stiffening = m["strain_stiffening"].get<double>();
-    const double conductance = m["fluid_conductance_mm3_per_s_kpa"].get<double>();
     text += fmt::format(
-        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}{}  {}{}\n",
+        "material      {:<14} {:>8} voxels {:>9.4g} ml  E {:.4g} kPa  nu {:.2g}{}\n{}\n",
         m["name"].get<std::string>(), m["voxels"].get<std::size_t>(), m["volume_ml"].get<double>(),
-        m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(),
-        stiffening > 0 ? fmt::format("  stiffening {:.3g}", stiffening) : "", forces_text(m),
-        conductance > 0 ? fmt::format("  fluid {:.4g} kPa", m["fluid_pressure_kpa"].get<double>())
-                        : "");
+        m["youngs_modulus_kpa"].get<double>(), m["poisson_ratio"].get<double>(), forces_text(m),
+        numbers_text(m));
   }
   text += surfaces_text(f);
   const auto& b = f["bytes"];
