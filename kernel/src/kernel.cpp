@@ -12,10 +12,10 @@
 #include "coupling/bend.h"
 #include "coupling/return_map.h"
 #include "coupling/slides.h"
-#include "lattice/ghosts.h"
 #include "lattice/hanging.h"
 #include "lattice/lattice.h"
 #include "lattice/plan.h"
+#include "lattice/shadow.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 #include "laws/cone.h"
@@ -347,7 +347,7 @@ void fill_masses(const Organ& organ, Model& model, const Counts& counts) {
   }
   hold_attached(organ, model, counts);
   fill_shares(model);
-  if (cascade) fill_ghosts(organ, model, limit);
+  if (cascade) fill_shadows(organ, model, limit);
 }
 
 Status count(const Organ& organ, const Config& config, Counts& counts_out) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // True mass on a graded lattice: each level moves its own short waves, within its part of the
-// step's limit (lattice/ghosts.h).
+// step's limit (lattice/shadow.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "graded.h"
-#include "lattice/ghosts.h"
 #include "lattice/hanging.h"
+#include "lattice/shadow.h"
 #include "lattice/voxel.h"
 #include "state/layout.h"
 
@@ -41,12 +41,12 @@ std::function<bool(std::uint32_t, int, int, int)> split_at_random(unsigned seed,
 // cascade that are level 0's own come after the others.
 class Bounds {
  public:
-  explicit Bounds(const View& view) : model_(view.model), ghosts_(view.model.head->ghosts) {}
+  explicit Bounds(const View& view) : model_(view.model), shadows_(view.model.head->shadows) {}
 
   // The largest eigenvalue of a level's mobilities times the stiffness of what they move, found by
   // power iteration: at most what it really is.
   double largest(std::uint32_t level) {
-    const std::size_t count = model_.head->counts.cascade + ghosts_.first_particle;
+    const std::size_t count = model_.head->counts.cascade + shadows_.first_particle;
     std::vector<double> x(count), y;
     std::mt19937 random(level + 1);
     std::normal_distribution<double> draw;
@@ -68,22 +68,22 @@ class Bounds {
 
  private:
   std::size_t node_of(std::uint32_t particle) const {
-    if (particle >= ghosts_.first_particle) return particle - ghosts_.first_particle;
+    if (particle >= shadows_.first_particle) return particle - shadows_.first_particle;
     const std::uint32_t* const first = model_.border;
-    const std::uint32_t* const end = first + (ghosts_.border_end - ghosts_.border_begin);
+    const std::uint32_t* const end = first + (shadows_.border_end - shadows_.border_begin);
     const std::uint32_t* const at = std::find(first, end, particle);
-    if (at != end) return ghosts_.border_begin + static_cast<std::size_t>(at - first);
+    if (at != end) return shadows_.border_begin + static_cast<std::size_t>(at - first);
     return model_.head->counts.cascade + particle;
   }
 
   bool is_own(std::uint32_t level, std::size_t node) const {
-    const Ghosts& g = ghosts_;
+    const Shadows& g = shadows_;
     if (level == 0) {
-      return (node >= g.border_begin && node < g.ghost_begin[1]) ||
+      return (node >= g.border_begin && node < g.shadow_begin[1]) ||
              node >= model_.head->counts.cascade;
     }
     return (node >= g.fine_begin[level] && node < g.fine_begin[level + 1]) ||
-           (node >= g.ghost_begin[level] && node < g.ghost_begin[level + 1]);
+           (node >= g.shadow_begin[level] && node < g.shadow_begin[level + 1]);
   }
 
   double mobility(std::uint32_t level, std::size_t node) const {
@@ -92,14 +92,14 @@ class Bounds {
     if (node >= count) {
       return static_cast<double>(model_.step_per_mass[node - count] / model_.head->substep_s);
     }
-    const float limit = level == 0 ? ghosts_.fastest_per_s2 : ghosts_.limit_per_s2[level];
+    const float limit = level == 0 ? shadows_.fastest_per_s2 : shadows_.limit_per_s2[level];
     return static_cast<double>(std::min(model_.cascade_mobility[node],
                                         limit / std::max(model_.cascade_bound[node], 1e-20F)));
   }
 
   // From the nodes to all that follows from them, through the voxels, and back.
   std::vector<double> stiffness_of(std::vector<double> x) const {
-    const HangingShare* const end = model_.up_share + ghosts_.up_begin[kMaxLevels];
+    const HangingShare* const end = model_.up_share + shadows_.up_begin[kMaxLevels];
     for (const HangingShare* s = model_.up_share; s != end;) {
       const HangingShare* const behind = s + s->count;
       for (const std::uint32_t to = s->to; s != behind; ++s) {
@@ -119,7 +119,7 @@ class Bounds {
       const double bound = 8 * static_cast<double>(model_.slot_bound[slot]);
       for (const std::size_t n : node) y[n] += bound * (x[n] - mean);
     }
-    const HangingShare* const down_end = model_.down_share + ghosts_.down_begin[0];
+    const HangingShare* const down_end = model_.down_share + shadows_.down_begin[0];
     for (const HangingShare* s = model_.down_share; s != down_end;) {
       const HangingShare* const behind = s + s->count;
       for (const std::uint32_t to = s->to; s != behind; ++s) {
@@ -130,7 +130,7 @@ class Bounds {
   }
 
   const Model& model_;
-  const Ghosts& ghosts_;
+  const Shadows& shadows_;
 };
 
 TEST(Cascade, EachLevelStaysWithinItsPartOfTheLimit) {
@@ -144,18 +144,18 @@ TEST(Cascade, EachLevelStaysWithinItsPartOfTheLimit) {
     if (seed % 2 == 0) graded.fixed_faces = kLowZ;
     Body body = make(graded, Config{});
     const View view = view_of(body.session.kernel);
-    const Ghosts& ghosts = view.model.head->ghosts;
-    ASSERT_EQ(ghosts.on, 1U) << seed;
+    const Shadows& shadows = view.model.head->shadows;
+    ASSERT_EQ(shadows.on, 1U) << seed;
     Bounds bounds(view);
-    const double coarse = bounds.largest(0) / static_cast<double>(ghosts.fastest_per_s2);
+    const double coarse = bounds.largest(0) / static_cast<double>(shadows.fastest_per_s2);
     EXPECT_LT(coarse, 1.001) << seed;
     float all_per_s2 = view.model.head->filter.limit_per_s2;
     for (std::uint32_t level = 1; level < graded.levels; ++level) {
-      const double limit = static_cast<double>(ghosts.limit_per_s2[level]);
+      const double limit = static_cast<double>(shadows.limit_per_s2[level]);
       const double part = bounds.largest(level) / limit;
       EXPECT_LT(part, 1.001) << seed << " level " << level;
       EXPECT_GT(part, 0.8) << seed << " level " << level;  // no slower than it must be
-      all_per_s2 += ghosts.limit_per_s2[level];
+      all_per_s2 += shadows.limit_per_s2[level];
     }
     const Config config;
     const float limit = wave_limit_per_s2(view.model.head->substep_s, config.tissue_damping_s);
@@ -163,7 +163,7 @@ TEST(Cascade, EachLevelStaysWithinItsPartOfTheLimit) {
   }
 }
 
-// A body falls as it should: no level adds or takes mass. (A ghost at the edge of the tissue may
+// A body falls as it should: no level adds or takes mass. (A shadow at the edge of the tissue may
 // have a sliver of mass, with the stiffness of a whole cell: what such nodes move less or more.)
 TEST(Cascade, ABodyInFreeFlightHasItsMass) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -235,7 +235,7 @@ TEST(Cascade, AMovingHandFeelsTheMassOfTheTissue) {
     config.needle[0].unit_m = 2.5e-3F;
     Body body = make(graded, config);
     Kernel& kernel = body.session.kernel;
-    EXPECT_EQ(view_of(kernel).model.head->ghosts.on, 1U);
+    EXPECT_EQ(view_of(kernel).model.head->shadows.on, 1U);
     const float top_m = graded.voxel_edge_m * graded.nz, length_m = config.needle[0].length_m;
     const Script script = {{3.4F * graded.voxel_edge_m, 3.7F * graded.voxel_edge_m, top_m},
                            length_m};

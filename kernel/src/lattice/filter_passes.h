@@ -21,9 +21,9 @@
 #include <type_traits>
 
 #include "base/lanes.h"
-#include "lattice/ghosts.h"
 #include "lattice/hanging.h"
 #include "lattice/lattice.h"
+#include "lattice/shadow.h"
 #include "lattice/tiles.h"
 #include "state/layout.h"
 
@@ -93,8 +93,8 @@ struct Wave {
 };
 
 // The same for level 0 of a graded lattice, whose passes each go through all its planes, because
-// they share the border with the ghosts' (lattice/ghosts.h): an array has all planes, each from its
-// first tile of nodes.
+// they share the border with the shadows' (lattice/shadow.h): an array has all planes, each from
+// its first tile of nodes.
 struct GradedWave {
   float *starts, *bounds, *iterates, *sends;
   float *work, *packed;
@@ -435,27 +435,27 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
 // The passes for level 0.
 void pass_coarse(const Model& model, const State& state, const Scratch& scratch,
                  const GradedWave& wave, CascadeVectors& vectors) {
-  const std::uint32_t planes = model.head->ghosts.coarse_planes;
+  const std::uint32_t planes = model.head->shadows.coarse_planes;
   const auto empty = [](float* tile) { std::fill_n(tile, kTileFloats, 0.0F); };
   for (std::uint32_t i = 0; i < kGradedPlanes; ++i) empty(wave.sends + i * wave.floats);
   for (std::uint32_t z = 0; z < planes; ++z) {
     for (std::uint32_t i = 0; i < kGradedArrays; ++i) empty(wave.start(z) + i * wave.all);
     start_plane(model, state, scratch, z, wave.start(z), wave.bound(z));
   }
-  start_ghosts(model, vectors, wave.starts, wave.bounds);
+  start_shadows(model, vectors, wave.starts, wave.bounds);
   for (std::uint32_t j = 1; j <= model.head->filter.passes; ++j) {
     for (std::uint32_t z = 0; z < planes; ++z) {
       pass_plane(model, wave, j, z, wave.iterate(j + 1, z));
     }
-    pass_ghosts(model, vectors, j, wave.of_pass(j + 1));
+    pass_shadows(model, vectors, j, wave.of_pass(j + 1));
   }
 }
 
 // Filters and moves all particles.
 void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& motion) {
   const std::uint32_t planes = model.head->counts.planes + 1;  // of particles
-  const Ghosts& ghosts = model.head->ghosts;
-  if (ghosts.on == 0) {
+  const Shadows& shadows = model.head->shadows;
+  if (shadows.on == 0) {
     move_unfiltered(model, state, 0, planes, motion);
     return;
   }
@@ -465,11 +465,11 @@ void filter_graded(const Model& model, State& state, Scratch& scratch, Motion& m
   give_down(model, state, scratch, vectors.all);
   pass_coarse(model, state, scratch, wave, vectors);
   give_up(model, vectors);
-  for (std::uint32_t z = 0; z < ghosts.coarse_planes; ++z) {
+  for (std::uint32_t z = 0; z < shadows.coarse_planes; ++z) {
     move_filtered(model, state, wave.iterate(model.head->filter.passes + 1, z), wave.packed, z,
                   motion);
   }
-  for (std::uint32_t z = ghosts.coarse_planes; z < planes; ++z) {
+  for (std::uint32_t z = shadows.coarse_planes; z < planes; ++z) {
     pack_fine(model, model.plane[z], vectors.all, wave.packed, axis);
     move_plane(model.plane[z], state, wave.packed, axis, motion);
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "lattice/ghosts.h"
 #include "lattice/hanging.h"
+#include "lattice/shadow.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 
@@ -282,7 +282,7 @@ Status count_lattice(const Organ& organ, const Config& config, Counts& counts_ou
     c.filtered_particles = c.particles;
     c.filtered_slots = c.slots + kLanes;  // pieces are read in whole lanes
     if (c.levels > 1 && config.inertia == Inertia::kTrueMass) {
-      count_ghosts(organ, c.particles - totals.coarse_particles, c);
+      count_shadows(organ, c.particles - totals.coarse_particles, c);
     }
     count_tiles(organ, c);
   }

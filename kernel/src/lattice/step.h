@@ -330,7 +330,7 @@ Motion start_motion(const ModelHead& head) {
       kMaxEdgesPerSubstep * head.level[head.counts.levels - 1].edge_m / head.substep_s;
   return {head.substep_s, head.config.tissue_damping_s,
           1 - head.substep_s * head.config.surround_drag_per_s, fastest,
-          fastest * max_of(head.ghosts.most_slowed, 1)};
+          fastest * max_of(head.shadows.most_slowed, 1)};
 }
 
 // Groups of coupled voxels [begin, end) whose voxels are all in one slab.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "lattice/ghosts.h"
+#include "lattice/shadow.h"
 
 namespace stylet {
 namespace {
@@ -200,7 +200,7 @@ void count_tiles(const Organ& organ, Counts& counts_io) {
   counts_io.filter_floats =
       (counts_io.levels > 1
            ? kGradedArrays * coarse + std::uint64_t{kGradedPlanes} * counts_io.tile_floats +
-                 ghost_floats(counts_io)
+                 shadow_floats(counts_io)
            : std::uint64_t{kFilterArrays} * counts_io.tile_floats) +
       std::uint64_t{3} * counts_io.particles_per_plane;
 }

@@ -58,31 +58,31 @@ struct HangingShare {
   std::uint32_t count;     // of the shares from here on that go to this node from one level's nodes
 };
 
-// A cell of some level in which there are finer voxels (lattice/ghosts.h).
-struct GhostCell {
+// A cell of some level in which there are finer voxels (lattice/shadow.h).
+struct ShadowCell {
   std::uint32_t node[8];  // of the cascade, at its corners (bits x, y, z)
   float bound_n_per_m;    // of its stiffness at each corner; of level 0, over 8
   float fastest_per_s2;   // of its motions, if it were full
   std::uint16_t x, y, z;  // as in the file
 };
-struct GhostNode {
+struct ShadowNode {
   std::uint16_t x, y, z;  // as in the file
 };
 // The cascade of a graded lattice: its nodes are the particles of all levels above 0, then those of
-// level 0 at ghost cells (the border), then the ghosts of level 0, 1, ...
-struct Ghosts {
-  std::uint32_t on;                           // 0: no motion is faster than the step can follow
-  std::uint32_t first_particle;               // of the levels above 0
-  std::uint32_t coarse_planes;                // planes of particles of level 0
-  std::uint32_t fine_begin[kMaxLevels + 1];   // nodes: a level's particles
-  std::uint32_t border_begin, border_end;     // nodes
-  std::uint32_t ghost_begin[kMaxLevels + 1];  // nodes: a level's ghosts
-  std::uint32_t coarse_cells;                 // ghost cells of level 0
-  std::uint32_t down_begin[kMaxLevels + 1];   // shares of a level's nodes to coarser ones
-  std::uint32_t up_begin[kMaxLevels + 1];     // shares of coarser nodes to a level's
-  float limit_per_s2[kMaxLevels];             // of the motions that a level moves by itself
-  float fastest_per_s2;                       // bound on those of level 0
-  float most_slowed;                          // momentum over velocity, at most
+// level 0 at shadow cells (the border), then the shadows of level 0, 1, ...
+struct Shadows {
+  std::uint32_t on;                            // 0: no motion is faster than the step can follow
+  std::uint32_t first_particle;                // of the levels above 0
+  std::uint32_t coarse_planes;                 // planes of particles of level 0
+  std::uint32_t fine_begin[kMaxLevels + 1];    // nodes: a level's particles
+  std::uint32_t border_begin, border_end;      // nodes
+  std::uint32_t shadow_begin[kMaxLevels + 1];  // nodes: a level's shadows
+  std::uint32_t coarse_cells;                  // shadow cells of level 0
+  std::uint32_t down_begin[kMaxLevels + 1];    // shares of a level's nodes to coarser ones
+  std::uint32_t up_begin[kMaxLevels + 1];      // shares of coarser nodes to a level's
+  float limit_per_s2[kMaxLevels];              // of the motions that a level moves by itself
+  float fastest_per_s2;                        // bound on those of level 0
+  float most_slowed;                           // momentum over velocity, at most
 };
 
 // Neighbouring nodes of one line (y) of a voxel plane, one register's lanes, and the voxel rows

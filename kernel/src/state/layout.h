@@ -31,22 +31,22 @@ namespace stylet {
 
 // All sizes of arrays, from the organ and the number of needles.
 struct Counts {
-  std::uint32_t voxels;                       // of the organ file
-  std::uint32_t planes;                       // voxel planes; there is one more plane of particles
-  std::uint32_t rows;                         // stretches of voxels along x (runs.h)
-  std::uint32_t row_grid;                     // blocks of places (y, z), 2^row_shift in each
-  std::uint32_t row_shift, row_bits;          // each block has at most 2^row_bits rows
-  std::uint32_t slots;                        // padded voxels
-  std::uint32_t slots_at_once;                // slots whose sums are kept together
-  std::uint32_t particles;                    // padded particles
-  std::uint32_t particles_per_plane;          // of the fullest plane, padded
-  std::uint32_t windows[2];                   // of 8 and of 16 lanes, lattice/plan.h
-  std::uint32_t sheets, ties;                 // 1 and 0 without parts that share a cell
-  std::uint32_t levels;                       // of voxels; 1: all have one edge
-  std::uint32_t hanging, hanging_shares;      // nodes; what they give to masters (2.9)
-  // Of a graded lattice with true mass (lattice/ghosts.h): nodes of the cascade, ghosts among them,
-  // ghost cells, particles of level 0 beside them, shares from level to level.
-  std::uint32_t cascade, ghosts, ghost_cells, border, ghost_shares;
+  std::uint32_t voxels;                   // of the organ file
+  std::uint32_t planes;                   // voxel planes; there is one more plane of particles
+  std::uint32_t rows;                     // stretches of voxels along x (runs.h)
+  std::uint32_t row_grid;                 // blocks of places (y, z), 2^row_shift in each
+  std::uint32_t row_shift, row_bits;      // each block has at most 2^row_bits rows
+  std::uint32_t slots;                    // padded voxels
+  std::uint32_t slots_at_once;            // slots whose sums are kept together
+  std::uint32_t particles;                // padded particles
+  std::uint32_t particles_per_plane;      // of the fullest plane, padded
+  std::uint32_t windows[2];               // of 8 and of 16 lanes, lattice/plan.h
+  std::uint32_t sheets, ties;             // 1 and 0 without parts that share a cell
+  std::uint32_t levels;                   // of voxels; 1: all have one edge
+  std::uint32_t hanging, hanging_shares;  // nodes; what they give to masters (2.9)
+  // Of a graded lattice with true mass (lattice/shadow.h): nodes of the cascade, shadows among
+  // them, shadow cells, particles of level 0 beside them, shares from level to level.
+  std::uint32_t cascade, shadows, shadow_cells, border, shadow_shares;
   std::uint32_t stiffening_slots;             // zero if no tissue stiffens
   std::uint32_t needles;                      // of the configuration
   std::uint32_t membrane_needles, membranes;  // needles and 1; zero if there are none
@@ -79,7 +79,7 @@ struct ModelHead {
   float substep_s;                                   // length of a substep
   float hourglass_weight;                            // chi
   Filter filter;                                     // not used with added mass
-  Ghosts ghosts;                                     // of a graded lattice with true mass
+  Shadows shadows;                                   // of a graded lattice with true mass
   float velocity_keep;                    // factor of the slip speed's low pass, per tick
   float cone_length_m[kMaxNeedles];       // of the tips, cone.h
   std::uint32_t obstacle_count;           // of obstacles that set_obstacles took
@@ -140,19 +140,19 @@ struct ScratchHead {
   F(hanging, HangingNode, c.hanging)                                                     \
   /* hanging_share: what they give to each master */                                     \
   F(hanging_share, HangingShare, c.hanging_shares)                                       \
-  /* ghost: where ghosts lie (lattice/ghosts.h) */                                       \
-  F(ghost, GhostNode, c.ghosts)                                                          \
-  /* ghost_cell: cells with finer voxels in them, of level 0 first */                    \
-  F(ghost_cell, GhostCell, c.ghost_cells)                                                \
+  /* shadow: where shadows lie (lattice/shadow.h) */                                     \
+  F(shadow, ShadowNode, c.shadows)                                                       \
+  /* shadow_cell: cells with finer voxels in them, of level 0 first */                   \
+  F(shadow_cell, ShadowCell, c.shadow_cells)                                             \
   /* border: particles of level 0 beside them */                                         \
   F(border, std::uint32_t, c.border)                                                     \
   /* border_place: where they lie in tiles */                                            \
   F(border_place, std::uint32_t, c.border)                                               \
   /* down_share: what nodes of the cascade give to coarser ones, finest first */         \
-  F(down_share, HangingShare, c.ghost_shares)                                            \
+  F(down_share, HangingShare, c.shadow_shares)                                           \
   /* up_share: what nodes of the cascade get from coarser ones, coarsest first */        \
-  F(up_share, HangingShare, c.ghost_shares)                                              \
-  /* cascade_kg: kg: of a node of the cascade, without what it gets; 0 of a ghost */     \
+  F(up_share, HangingShare, c.shadow_shares)                                             \
+  /* cascade_kg: kg: of a node of the cascade, without what it gets; 0 of a shadow */    \
   F(cascade_kg, float, c.cascade)                                                        \
   /* cascade_mobility: 1/kg: velocity over momentum of what it moves itself */           \
   F(cascade_mobility, float, c.cascade)                                                  \

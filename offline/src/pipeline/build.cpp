@@ -37,9 +37,7 @@ bool allowed_voxel_edge(double edge_m) {
 
 // Scales all meshes to metres and repairs them.
 std::vector<Solid> make_solids(std::vector<Input>& inputs, Box& box_out, const Progress& progress) {
-  for (Input& input : inputs) {
-    scale_to_metres(input.read.mesh, input.path, input.metres_per_unit);
-  }
+  for (Input& i : inputs) scale_to_metres(i.read.mesh, i.path, i.metres_per_unit);
   std::vector<Solid> solids;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     progress("repairing", static_cast<double>(i) / static_cast<double>(inputs.size()));
@@ -328,9 +326,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
     refuse("{} inputs: expected 1 to {}", inputs.size(), kMostInputs);
   }
   std::vector<std::string>& warnings = built.report.warnings;
-  for (const Input& input : inputs) {
-    std::ranges::copy(input.read.notes, std::back_inserter(warnings));
-  }
+  for (const Input& i : inputs) std::ranges::copy(i.read.notes, std::back_inserter(warnings));
   Box box;
   std::vector<Solid> solids = make_solids(inputs, box, progress);
   std::vector<std::string> tissues;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ghosts of a graded lattice (lattice/ghosts.h), found from the organ's runs.
+// Shadows of a graded lattice (lattice/shadow.h), found from the organ's runs.
 //
-// A ghost cell is a cell of some level in which there are finer voxels. A place is given as in the
+// A shadow cell is a cell of some level in which there are finer voxels. A place is given as in the
 // file: x and y in edges of its level, y with its sheet, z in the lattice.
 //
 // Promises: each cell, corner and node is visited once, in an order that depends on the runs alone;
@@ -57,7 +57,7 @@ inline bool has_voxel_in(const Organ& organ, const LevelPlace& cell, std::uint32
   }
   return false;
 }
-inline bool is_ghost_cell(const Organ& organ, const LevelPlace& cell) {
+inline bool is_shadow_cell(const Organ& organ, const LevelPlace& cell) {
   for (std::uint32_t level = cell.level + 1; level < organ.levels; ++level) {
     const std::uint32_t ratio = 1U << (level - cell.level);
     if (has_voxel_in(organ, cell, level, ratio * ratio)) return true;
@@ -79,9 +79,9 @@ inline bool is_first_in(const Organ& organ, const LevelPlace& cell, const OrganR
   return run.x <= begin || !has_voxel(organ, {begin, run.x}, run.y, run.z);
 }
 
-// Calls visit(place) for each ghost cell of a level.
+// Calls visit(place) for each shadow cell of a level.
 template <typename Visit>
-void for_each_ghost_cell(const Organ& organ, std::uint32_t level, Visit visit) {
+void for_each_shadow_cell(const Organ& organ, std::uint32_t level, Visit visit) {
   for (const OrganRun& run : organ.runs) {
     const LevelPlace own = place_in_level(organ, {run.x, run.y, run.z});
     if (own.level <= level) continue;
@@ -111,12 +111,12 @@ inline LevelPlace corner_of(const LevelPlace& cell, std::uint32_t corner) {
           cell.z + (corner >> 2U)};
 }
 
-// Calls visit(place) for each corner of a level's ghost cells.
+// Calls visit(place) for each corner of a level's shadow cells.
 template <typename Visit>
-void for_each_ghost_corner(const Organ& organ, std::uint32_t level, Visit visit) {
-  for_each_ghost_cell(organ, level, [&](const LevelPlace& cell) {
+void for_each_shadow_corner(const Organ& organ, std::uint32_t level, Visit visit) {
+  for_each_shadow_cell(organ, level, [&](const LevelPlace& cell) {
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      const auto exists = [&](const LevelPlace& other) { return is_ghost_cell(organ, other); };
+      const auto exists = [&](const LevelPlace& other) { return is_shadow_cell(organ, other); };
       if (owns_corner(cell, corner, exists)) visit(corner_of(cell, corner));
     }
   });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What creation of the cascade shares between its two halves: nodes with their shares
-// (ghost_plan.cpp), and bounds with mobilities (ghost_bounds.cpp). See ghosts.h.
+// (shadow_plan.cpp), and bounds with mobilities (shadow_bounds.cpp). See shadow.h.
 //
 // Promises: no allocation; at creation only. Units SI.
 #pragma once
 
-#include "lattice/ghost_walk.h"
-#include "lattice/ghosts.h"
+#include "lattice/shadow.h"
+#include "lattice/shadow_walk.h"
 #include "state/layout.h"
 
 namespace stylet {
@@ -15,7 +15,7 @@ namespace stylet {
 struct Plan {
   const Organ& organ;
   Model& model;
-  Ghosts& ghosts;
+  Shadows& shadows;
 };
 
 // By z, y and x: the order of the file.
@@ -28,7 +28,7 @@ bool comes_before(const Place& a, const Place& b) {
   return order_of(a) < order_of(b);
 }
 
-// A place as GhostNode or GhostCell have it.
+// A place as ShadowNode or ShadowCell have it.
 template <typename Place>
 Place as_in_file(const Organ& organ, const LevelPlace& at) {
   const LatticePlace place = place_in_lattice(organ, at);
@@ -46,11 +46,11 @@ std::uint32_t particle_at(const Plan& plan, const LevelPlace& at);
 bool is_free(const Model& model, std::uint32_t node);
 
 // A particle's node of the cascade. One of level 0 must be of the border. And the other way; a
-// ghost is no particle.
+// shadow is no particle.
 std::uint32_t node_of_particle(const Plan& plan, std::uint32_t particle);
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 std::uint32_t particle_of_node(const Plan& plan, std::uint32_t node);
-// The node of the cascade at a corner of a ghost cell.
+// The node of the cascade at a corner of a shadow cell.
 std::uint32_t node_at_place(const Plan& plan, const LevelPlace& at);
 
 // The shares of a level, up and down. Until creation ends, HangingShare::count is the level.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lattice/ghosts.h"
+#include "lattice/shadow.h"
 
 #include "lattice/tiles.h"
 
@@ -31,7 +31,7 @@ void move_own(const Model& model, std::uint32_t begin, std::uint32_t end, float 
 // Border nodes that are several nodes of level 0: so many of a tile's groups of lanes. (In the
 // third group, bounds have those of voxels.)
 void copy_tied(const Model& model, float* in_tiles, std::uint32_t groups) {
-  for (std::uint32_t z = 0; z < model.head->ghosts.coarse_planes; ++z) {
+  for (std::uint32_t z = 0; z < model.head->shadows.coarse_planes; ++z) {
     const Plane& plane = model.plane[z];
     float* const own = in_tiles + std::size_t{plane.tiles.node} * kTileFloats;
     for (std::uint32_t i = plane.tie_begin; i < plane.tie_end; ++i) {
@@ -42,20 +42,20 @@ void copy_tied(const Model& model, float* in_tiles, std::uint32_t groups) {
   }
 }
 
-std::uint32_t coarse_nodes(const Ghosts& ghosts) {
-  return ghosts.ghost_begin[1] - ghosts.border_begin;
+std::uint32_t coarse_nodes(const Shadows& shadows) {
+  return shadows.shadow_begin[1] - shadows.border_begin;
 }
 
 }  // namespace
 
-std::uint64_t ghost_floats(const Counts& counts) {
+std::uint64_t shadow_floats(const Counts& counts) {
   constexpr std::uint64_t kOfCoarse = 6;  // CascadeVectors
-  return 4 * (counts.cascade + kOfCoarse * (std::uint64_t{counts.border} + counts.ghosts));
+  return 4 * (counts.cascade + kOfCoarse * (std::uint64_t{counts.border} + counts.shadows));
 }
 
 CascadeVectors cascade_vectors(const Model& model, float* memory) {
   const Counts& counts = model.head->counts;
-  const std::ptrdiff_t coarse = std::ptrdiff_t{counts.border} + counts.ghosts;
+  const std::ptrdiff_t coarse = std::ptrdiff_t{counts.border} + counts.shadows;
   Four* const all = reinterpret_cast<Four*>(memory);
   Four* const first = all + counts.cascade;
   return {all,
@@ -66,7 +66,7 @@ CascadeVectors cascade_vectors(const Model& model, float* memory) {
 }
 
 void give_down(const Model& model, const State& state, const Scratch& scratch, Four* all) {
-  const Ghosts& g = model.head->ghosts;
+  const Shadows& g = model.head->shadows;
   const auto momentum = [&](std::uint32_t node, std::uint32_t p) {
     const float kg = model.cascade_kg[node];
     all[node] =
@@ -80,12 +80,12 @@ void give_down(const Model& model, const State& state, const Scratch& scratch, F
   for (std::uint32_t level = model.head->counts.levels - 1; level > 0; --level) {
     take(model.down_share + g.down_begin[level], model.down_share + g.down_begin[level - 1], all);
     move_own(model, g.fine_begin[level], g.fine_begin[level + 1], g.limit_per_s2[level], all);
-    move_own(model, g.ghost_begin[level], g.ghost_begin[level + 1], g.limit_per_s2[level], all);
+    move_own(model, g.shadow_begin[level], g.shadow_begin[level + 1], g.limit_per_s2[level], all);
   }
 }
 
-void start_ghosts(const Model& model, CascadeVectors& vectors, float* starts, float* bounds) {
-  const Ghosts& g = model.head->ghosts;
+void start_shadows(const Model& model, CascadeVectors& vectors, float* starts, float* bounds) {
+  const Shadows& g = model.head->shadows;
   const float dt = model.head->substep_s;
   for (std::uint32_t k = 0; k < coarse_nodes(g); ++k) {
     const std::uint32_t node = g.border_begin + k;
@@ -103,15 +103,15 @@ void start_ghosts(const Model& model, CascadeVectors& vectors, float* starts, fl
   copy_tied(model, bounds, 2);
 }
 
-void pass_ghosts(const Model& model, CascadeVectors& vectors, std::uint32_t j, float* next) {
-  const Ghosts& g = model.head->ghosts;
+void pass_shadows(const Model& model, CascadeVectors& vectors, std::uint32_t j, float* next) {
+  const Shadows& g = model.head->shadows;
   const FilterPass& pass = model.head->filter.pass[j - 1];
   const Four *const last = vectors.of_pass(j), *const before = vectors.of_pass(j - 1);
   const std::uint32_t border = g.border_end - g.border_begin;
   Four* const out = vectors.iterate[(j + 1) % 3];
   for (std::uint32_t k = 0; k < coarse_nodes(g); ++k) vectors.got[k] = Four{};
   for (std::uint32_t i = 0; i < g.coarse_cells; ++i) {
-    const GhostCell& cell = model.ghost_cell[i];
+    const ShadowCell& cell = model.shadow_cell[i];
     const auto at = [&](std::uint32_t corner) { return cell.node[corner] - g.border_begin; };
     const Four sum = ((last[at(0)] + last[at(1)]) + (last[at(2)] + last[at(3)])) +
                      ((last[at(4)] + last[at(5)]) + (last[at(6)] + last[at(7)]));
@@ -136,7 +136,7 @@ void pass_ghosts(const Model& model, CascadeVectors& vectors, std::uint32_t j, f
 }
 
 void give_up(const Model& model, CascadeVectors& vectors) {
-  const Ghosts& g = model.head->ghosts;
+  const Shadows& g = model.head->shadows;
   const Four* const last = vectors.of_pass(model.head->filter.passes + 1);
   for (std::uint32_t k = 0; k < coarse_nodes(g); ++k) vectors.all[g.border_begin + k] = last[k];
   const Counts& counts = model.head->counts;
@@ -153,7 +153,7 @@ void give_up(const Model& model, CascadeVectors& vectors) {
 
 void pack_fine(const Model& model, const Plane& plane, const Four* all, float* to,
                std::ptrdiff_t axis) {
-  const Four* const from = all + (plane.particle_begin - model.head->ghosts.first_particle);
+  const Four* const from = all + (plane.particle_begin - model.head->shadows.first_particle);
   const std::ptrdiff_t count = plane.particle_end - plane.particle_begin;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) to[i + c * axis] = from[i][c];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "lattice/ghost_plan.h"
 #include "lattice/hanging.h"
+#include "lattice/shadow_plan.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
@@ -14,26 +14,26 @@ void fill_cells(Plan& plan) {
   Model& model = plan.model;
   std::uint32_t count = 0;
   for (std::uint32_t level = 0; level + 1U < plan.organ.levels; ++level) {
-    for_each_ghost_cell(plan.organ, level, [&](const LevelPlace& at) {
-      GhostCell& cell = model.ghost_cell[count++] = as_in_file<GhostCell>(plan.organ, at);
+    for_each_shadow_cell(plan.organ, level, [&](const LevelPlace& at) {
+      ShadowCell& cell = model.shadow_cell[count++] = as_in_file<ShadowCell>(plan.organ, at);
       for (std::uint32_t corner = 0; corner < 8; ++corner) {
         cell.node[corner] = node_at_place(plan, corner_of(at, corner));
       }
     });
-    if (level == 0) plan.ghosts.coarse_cells = count;
+    if (level == 0) plan.shadows.coarse_cells = count;
   }
-  std::sort(&model.ghost_cell[0], &model.ghost_cell[0] + count, comes_before<GhostCell>);
+  std::sort(&model.shadow_cell[0], &model.shadow_cell[0] + count, comes_before<ShadowCell>);
 }
 
-GhostCell& cell_around(const Plan& plan, const LevelPlace& child) {
-  const GhostCell wanted = as_in_file<GhostCell>(
+ShadowCell& cell_around(const Plan& plan, const LevelPlace& child) {
+  const ShadowCell wanted = as_in_file<ShadowCell>(
       plan.organ, {child.level - 1, child.sheet, child.x / 2, child.y / 2, child.z / 2});
-  GhostCell* const first = plan.model.ghost_cell;
-  return *std::lower_bound(first, first + plan.model.head->counts.ghost_cells, wanted,
-                           comes_before<GhostCell>);
+  ShadowCell* const first = plan.model.shadow_cell;
+  return *std::lower_bound(first, first + plan.model.head->counts.shadow_cells, wanted,
+                           comes_before<ShadowCell>);
 }
 
-// A voxel of the organ or a ghost cell, above level 0: its corners are nodes of the cascade.
+// A voxel of the organ or a shadow cell, above level 0: its corners are nodes of the cascade.
 struct AnyCell {
   LevelPlace at;
   std::uint32_t node[8];
@@ -141,14 +141,14 @@ void for_each_voxel_of(const Plan& plan, std::uint32_t level, Visit visit) {
 template <typename Visit>
 void for_each_cell_of(const Plan& plan, std::uint32_t level, Visit visit) {
   for_each_voxel_of(plan, level, visit);
-  for (std::uint32_t i = 0; i < plan.model.head->counts.ghost_cells; ++i) {
-    const GhostCell& ghost = plan.model.ghost_cell[i];
-    const LevelPlace at = place_in_level(plan.organ, {ghost.x, ghost.y, ghost.z});
+  for (std::uint32_t i = 0; i < plan.model.head->counts.shadow_cells; ++i) {
+    const ShadowCell& shadow = plan.model.shadow_cell[i];
+    const LevelPlace at = place_in_level(plan.organ, {shadow.x, shadow.y, shadow.z});
     if (at.level != level) continue;
-    AnyCell cell = {at, {}, ghost.bound_n_per_m, ghost.fastest_per_s2, true};
+    AnyCell cell = {at, {}, shadow.bound_n_per_m, shadow.fastest_per_s2, true};
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      cell.node[corner] = ghost.node[corner];
-      cell.follows = cell.follows && follows(plan, corner_of(at, corner), ghost.node[corner]);
+      cell.node[corner] = shadow.node[corner];
+      cell.follows = cell.follows && follows(plan, corner_of(at, corner), shadow.node[corner]);
     }
     visit(cell);
   }
@@ -169,12 +169,12 @@ void add_down(const Plan& plan, std::uint32_t level, float* of_nodes) {
 // at finer levels already.
 void fill_level(Plan& plan, std::uint32_t level, float limit_per_s2) {
   Model& model = plan.model;
-  Ghosts& g = plan.ghosts;
+  Shadows& g = plan.shadows;
   float fastest = 0;
   for_each_cell_of(plan, level, [&](const AnyCell& cell) {
     fastest = max_of(fastest, cell.fastest_per_s2);
     if (cell.follows) {
-      GhostCell& around = cell_around(plan, cell.at);
+      ShadowCell& around = cell_around(plan, cell.at);
       around.bound_n_per_m = max_of(around.bound_n_per_m, 2 * cell.bound_n_per_m);
       around.fastest_per_s2 = max_of(around.fastest_per_s2, cell.fastest_per_s2 / 4);
     } else {
@@ -187,7 +187,7 @@ void fill_level(Plan& plan, std::uint32_t level, float limit_per_s2) {
   g.most_slowed = max_of(g.most_slowed, 1 / own);
   const auto for_each = [&](auto visit) {
     for (std::uint32_t i = g.fine_begin[level]; i < g.fine_begin[level + 1]; ++i) visit(i);
-    for (std::uint32_t i = g.ghost_begin[level]; i < g.ghost_begin[level + 1]; ++i) visit(i);
+    for (std::uint32_t i = g.shadow_begin[level]; i < g.shadow_begin[level + 1]; ++i) visit(i);
   };
   const auto moves = [&](std::uint32_t i) {
     return i >= g.border_begin || is_free(model, g.first_particle + i);
@@ -205,7 +205,7 @@ void fill_level(Plan& plan, std::uint32_t level, float limit_per_s2) {
   });
   const auto is_own = [&](std::uint32_t i) {
     return (i >= g.fine_begin[level] && i < g.fine_begin[level + 1]) ||
-           (i >= g.ghost_begin[level] && i < g.ghost_begin[level + 1]);
+           (i >= g.shadow_begin[level] && i < g.shadow_begin[level + 1]);
   };
   for_each_cell_of(plan, level, [&](const AnyCell& cell) {
     if (!cell.follows) return;
@@ -231,18 +231,18 @@ void fill_own_kg(Plan& plan) {
 void fill_coarse(Plan& plan, float limit_per_s2) {
   Model& model = plan.model;
   ModelHead& head = *model.head;
-  Ghosts& g = plan.ghosts;
+  Shadows& g = plan.shadows;
   float fastest = 0;
   for_each_voxel_of(plan, 0,
                     [&](const AnyCell& cell) { fastest = max_of(fastest, cell.fastest_per_s2); });
   for (std::uint32_t i = 0; i < g.coarse_cells; ++i) {
-    GhostCell& cell = model.ghost_cell[i];
+    ShadowCell& cell = model.shadow_cell[i];
     fastest = max_of(fastest, cell.fastest_per_s2);
     for (const std::uint32_t node : cell.node) model.cascade_bound[node] += cell.bound_n_per_m;
     cell.bound_n_per_m /= 8;  // a mean is over eight corners
   }
   g.fastest_per_s2 = min_of(fastest, most_filtered_per_s2(limit_per_s2));
-  for (std::uint32_t i = g.border_begin; i < g.ghost_begin[1]; ++i) {
+  for (std::uint32_t i = g.border_begin; i < g.shadow_begin[1]; ++i) {
     const float kg = model.cascade_kg[i], moved = model.cascade_mobility[i];
     model.cascade_mobility[i] = kg > 0 ? (1 - moved / kg) / kg : 0;
     if (i >= g.border_end) continue;

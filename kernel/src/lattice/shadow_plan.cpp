@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lattice/ghost_plan.h"
+#include "lattice/shadow_plan.h"
 
 #include <algorithm>
 
@@ -10,19 +10,19 @@
 namespace stylet {
 namespace {
 
-// A ghost is the same in all sheets.
-GhostNode ghost_at(const Organ& organ, const LevelPlace& at) {
-  return as_in_file<GhostNode>(organ, {at.level, 0, at.x, at.y, at.z});
+// A shadow is the same in all sheets.
+ShadowNode shadow_at(const Organ& organ, const LevelPlace& at) {
+  return as_in_file<ShadowNode>(organ, {at.level, 0, at.x, at.y, at.z});
 }
 
 void fill_nodes(Plan& plan) {
   const Counts& counts = plan.model.head->counts;
-  Ghosts& g = plan.ghosts;
-  std::uint32_t border = 0, ghosts = 0;
+  Shadows& g = plan.shadows;
+  std::uint32_t border = 0, shadows = 0;
   for (std::uint32_t level = 0; level + 1 < counts.levels; ++level) {
-    for_each_ghost_corner(plan.organ, level, [&](const LevelPlace& at) {
+    for_each_shadow_corner(plan.organ, level, [&](const LevelPlace& at) {
       if (!is_node(plan.organ, at)) {
-        plan.model.ghost[ghosts++] = ghost_at(plan.organ, at);
+        plan.model.shadow[shadows++] = shadow_at(plan.organ, at);
       } else if (level == 0) {
         plan.model.border[border++] = particle_of(plan.model, particle_at(plan, at));
       }
@@ -36,28 +36,28 @@ void fill_nodes(Plan& plan) {
   std::uint32_t* const first = plan.model.border;
   std::sort(first, first + border);
   border = static_cast<std::uint32_t>(std::unique(first, first + border) - first);
-  GhostNode* const ghost = plan.model.ghost;
-  std::sort(ghost, ghost + ghosts, comes_before<GhostNode>);
-  const auto same = [](const GhostNode& a, const GhostNode& b) {
+  ShadowNode* const shadow = plan.model.shadow;
+  std::sort(shadow, shadow + shadows, comes_before<ShadowNode>);
+  const auto same = [](const ShadowNode& a, const ShadowNode& b) {
     return order_of(a) == order_of(b);
   };
-  ghosts = static_cast<std::uint32_t>(std::unique(ghost, ghost + ghosts, same) - ghost);
+  shadows = static_cast<std::uint32_t>(std::unique(shadow, shadow + shadows, same) - shadow);
   g.border_end = g.border_begin + border;
   for (std::uint32_t i = 0; i < border; ++i) {
     plan.model.border_place[i] = place_in_tiles(plan.model, first[i]);
   }
   for (std::uint32_t level = 0; level <= kMaxLevels; ++level) {
     const std::uint32_t z = first_plane(plan.organ.level_planes, level);
-    const auto below = [&](const GhostNode& each) { return each.z < z; };
-    const GhostNode* const at = std::partition_point(ghost, ghost + ghosts, below);
-    g.ghost_begin[level] = g.border_end + static_cast<std::uint32_t>(at - ghost);
+    const auto below = [&](const ShadowNode& each) { return each.z < z; };
+    const ShadowNode* const at = std::partition_point(shadow, shadow + shadows, below);
+    g.shadow_begin[level] = g.border_end + static_cast<std::uint32_t>(at - shadow);
   }
 }
 
 // Where levels begin among planes and particles.
 void fill_ranges(Plan& plan) {
   const Counts& counts = plan.model.head->counts;
-  Ghosts& g = plan.ghosts;
+  Shadows& g = plan.shadows;
   const Plane* const first = plan.model.plane;
   const Plane* const end = first + counts.planes + 1;
   const auto begin_of = [&](std::uint32_t level) {
@@ -92,29 +92,29 @@ void list_shares(const Plan& plan, const LevelPlace& at, HangingShare*& next) {
     if (!is_free(model, particle)) return;
   } else {
     child = node_at_place(plan, at);
-    if (child < plan.ghosts.border_end) return;  // a coarser node, which no ghost stands for
+    if (child < plan.shadows.border_end) return;  // a coarser node, which no shadow stands for
   }
   for_each_parent(at, [&](const LevelPlace& parent, float weight) {
     *next++ = {child, node_at_place(plan, parent), weight, at.level};
   });
 }
 
-// Whether a place that is no node is a corner of a ghost cell of its sheet.
-bool is_ghost(const Organ& organ, const LevelPlace& at) {
+// Whether a place that is no node is a corner of a shadow cell of its sheet.
+bool is_shadow(const Organ& organ, const LevelPlace& at) {
   if (is_node(organ, at)) return false;
   for (std::uint32_t side = 0; side < 8; ++side) {
     const std::uint32_t dx = side & 1U, dy = (side >> 1U) & 1U, dz = side >> 2U;
     if (at.x < dx || at.y < dy || at.z < dz) continue;
-    if (is_ghost_cell(organ, {at.level, at.sheet, at.x - dx, at.y - dy, at.z - dz})) return true;
+    if (is_shadow_cell(organ, {at.level, at.sheet, at.x - dx, at.y - dy, at.z - dz})) return true;
   }
   return false;
 }
 
-// The place of a ghost, in the first sheet that has it.
-LevelPlace place_of(const Organ& organ, const GhostNode& ghost) {
-  LevelPlace at = place_in_level(organ, {ghost.x, ghost.y, ghost.z});
+// The place of a shadow, in the first sheet that has it.
+LevelPlace place_of(const Organ& organ, const ShadowNode& shadow) {
+  LevelPlace at = place_in_level(organ, {shadow.x, shadow.y, shadow.z});
   const std::uint32_t sheets = organ.size_y / organ.sheet_rows;
-  for (std::uint32_t sheet = 0; sheet < sheets && !is_ghost(organ, at); ++sheet) at.sheet = sheet;
+  for (std::uint32_t sheet = 0; sheet < sheets && !is_shadow(organ, at); ++sheet) at.sheet = sheet;
   return at;
 }
 
@@ -153,9 +153,9 @@ void fill_shares_of_levels(Plan& plan) {
   const auto list = [&](const LevelPlace& at) { list_shares(plan, at, end); };
   for (std::uint32_t level = 1; level < plan.organ.levels; ++level) {
     for_each_level_node(plan.organ, level, list);
-    for (std::uint32_t i = plan.ghosts.ghost_begin[level]; i < plan.ghosts.ghost_begin[level + 1];
-         ++i) {
-      list(place_of(plan.organ, model.ghost[i - plan.ghosts.border_end]));
+    for (std::uint32_t i = plan.shadows.shadow_begin[level];
+         i < plan.shadows.shadow_begin[level + 1]; ++i) {
+      list(place_of(plan.organ, model.shadow[i - plan.shadows.border_end]));
     }
   }
   HangingShare* const down = model.down_share;
@@ -163,8 +163,8 @@ void fill_shares_of_levels(Plan& plan) {
   for (const HangingShare* s = up; s != end; ++s) {
     *down_end++ = {s->from, s->to, s->share, s->count};
   }
-  sort_shares(up, end, false, plan.ghosts.up_begin);
-  sort_shares(down, down_end, true, plan.ghosts.down_begin);
+  sort_shares(up, end, false, plan.shadows.up_begin);
+  sort_shares(down, down_end, true, plan.shadows.down_begin);
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ bool is_free(const Model& model, std::uint32_t node) {
 }
 
 std::uint32_t node_of_particle(const Plan& plan, std::uint32_t particle) {
-  const Ghosts& g = plan.ghosts;
+  const Shadows& g = plan.shadows;
   if (particle >= g.first_particle) return particle - g.first_particle;
   const std::uint32_t* const first = plan.model.border;
   const std::uint32_t* const end = first + (g.border_end - g.border_begin);
@@ -193,7 +193,7 @@ std::uint32_t node_of_particle(const Plan& plan, std::uint32_t particle) {
 }
 
 std::uint32_t particle_of_node(const Plan& plan, std::uint32_t node) {
-  const Ghosts& g = plan.ghosts;
+  const Shadows& g = plan.shadows;
   if (node < g.border_begin) return g.first_particle + node;
   return node < g.border_end ? plan.model.border[node - g.border_begin] : kNone;
 }
@@ -212,57 +212,57 @@ std::uint32_t node_at_place(const Plan& plan, const LevelPlace& at) {
     if (level_of_particle(plan.model, h->master[0]) > at.level) continue;
     return node_of_particle(plan, h->master[0]);
   }
-  const GhostNode* const first = plan.model.ghost;
-  const std::uint32_t count = plan.ghosts.ghost_begin[kMaxLevels] - plan.ghosts.border_end;
-  const GhostNode* const found =
-      std::lower_bound(first, first + count, ghost_at(plan.organ, at), comes_before<GhostNode>);
-  return plan.ghosts.border_end + static_cast<std::uint32_t>(found - first);
+  const ShadowNode* const first = plan.model.shadow;
+  const std::uint32_t count = plan.shadows.shadow_begin[kMaxLevels] - plan.shadows.border_end;
+  const ShadowNode* const found =
+      std::lower_bound(first, first + count, shadow_at(plan.organ, at), comes_before<ShadowNode>);
+  return plan.shadows.border_end + static_cast<std::uint32_t>(found - first);
 }
 
 Shares up_shares(const Plan& plan, std::uint32_t level) {
   const HangingShare* const first = plan.model.up_share;
-  return {first + plan.ghosts.up_begin[level], first + plan.ghosts.up_begin[level + 1]};
+  return {first + plan.shadows.up_begin[level], first + plan.shadows.up_begin[level + 1]};
 }
 
 Shares down_shares(const Plan& plan, std::uint32_t level) {
   const HangingShare* const first = plan.model.down_share;
-  return {first + plan.ghosts.down_begin[level], first + plan.ghosts.down_begin[level - 1]};
+  return {first + plan.shadows.down_begin[level], first + plan.shadows.down_begin[level - 1]};
 }
 
 float coarse_limit_per_s2(float limit_per_s2, std::uint32_t levels) {
   return 2 * limit_per_s2 / static_cast<float>(levels + 1);
 }
 
-void count_ghosts(const Organ& organ, std::uint64_t fine, Counts& counts_io) {
+void count_shadows(const Organ& organ, std::uint64_t fine, Counts& counts_io) {
   Counts& c = counts_io;
   for (std::uint32_t level = 0; level + 1 < c.levels; ++level) {
-    for_each_ghost_cell(organ, level, [&](auto&) { ++c.ghost_cells; });
-    for_each_ghost_corner(organ, level, [&](const LevelPlace& at) {
+    for_each_shadow_cell(organ, level, [&](auto&) { ++c.shadow_cells; });
+    for_each_shadow_corner(organ, level, [&](const LevelPlace& at) {
       if (!is_node(organ, at)) {
-        ++c.ghosts;
+        ++c.shadows;
       } else if (level == 0) {
         ++c.border;
       }
     });
   }
-  c.border += 4 * c.hanging;  // masters; most of them are corners of ghost cells as well
+  c.border += 4 * c.hanging;  // masters; most of them are corners of shadow cells as well
   const auto share = [&](const LevelPlace& at) {
-    for_each_parent(at, [&](auto...) { ++c.ghost_shares; });
+    for_each_parent(at, [&](auto...) { ++c.shadow_shares; });
   };
   for (std::uint32_t level = 1; level < c.levels; ++level) {
     for_each_level_node(organ, level, share);
     if (level + 1 == c.levels) continue;
-    for_each_ghost_corner(organ, level, [&](const LevelPlace& at) {
+    for_each_shadow_corner(organ, level, [&](const LevelPlace& at) {
       if (!is_node(organ, at)) share(at);
     });
   }
-  c.ghost_shares += c.hanging_shares;
-  c.cascade = static_cast<std::uint32_t>(fine) + c.border + c.ghosts;
+  c.shadow_shares += c.hanging_shares;
+  c.cascade = static_cast<std::uint32_t>(fine) + c.border + c.shadows;
 }
 
-void fill_ghosts(const Organ& organ, Model& model, float limit_per_s2) {
-  Plan plan = {organ, model, model.head->ghosts};
-  Ghosts& g = plan.ghosts;
+void fill_shadows(const Organ& organ, Model& model, float limit_per_s2) {
+  Plan plan = {organ, model, model.head->shadows};
+  Shadows& g = plan.shadows;
   g.on = 1;
   fill_ranges(plan);
   fill_nodes(plan);
