@@ -54,7 +54,7 @@ TEST(RefineTexts, AreReadAndWritten) {
 }
 
 BuildOptions options_for(const offline::Settings& settings, const Recipe& recipe) {
-  BuildOptions options = offline::common_options(settings, 1e-3);
+  BuildOptions options = offline::common_options(settings, {1e-3});
   const std::string path = "map.nrrd", text = "r.toml";
   offline::choose_for_labels(settings, {path, text}, recipe, options);
   return options;
