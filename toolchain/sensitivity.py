@@ -68,8 +68,9 @@ value here differs from that in the sources.
 
 ## Measured or chosen numbers: effect of half and double
 
-{scenes} random scenes with moving hands (`tests/sensitivity`) are played. Every needle goes in, rests,
-steps aside, swings by 1 mm at 4 Hz across and along, goes deeper, back and in again, and comes out.
+{scenes} random scenes with moving hands (`tests/sensitivity`) are played. Every needle goes in,
+rests, steps aside, swings by 1 mm at 4 Hz across and along, goes deeper, back and in again, and
+comes out.
 Kinds of scene: rigid, elastic, on bone, two needles at once, on a surface that is not punctured,
 through layers and gaps. The hands move the same whatever they feel.
 

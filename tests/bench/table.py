@@ -73,9 +73,9 @@ def table(found):
                 "steps a second", f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
         yield from lines(head, rows(of))
         yield ("\n*Helped*: how many times as fast the same step is with one helper thread.\n"
-               "*Nothing in common*: how many times the work of one thread two independent threads\n"
-               "do. Other programs may use the second processor, so only the quarter of the\n"
-               "repetitions counts in which those two threads were fastest; in brackets the\n"
+               "*Nothing in common*: how many times the work of one thread two independent\n"
+               "threads do. Other programs may use the second processor, so only the quarter of\n"
+               "the repetitions counts in which those two threads were fastest; in brackets the\n"
                "median of all:\n\n")
         head = ["voxels", "helped, AVX-512", "AVX2", "nothing in common, AVX-512", "AVX2"]
         yield from lines(head, rows_of_two_threads(of))
