@@ -58,29 +58,32 @@ inline T tuned(const char* name, T value) {
 }
 """
 HEAD = """\
-# The kernel's numbers, and what the hands feel of them
+# The kernel's numbers, and how much hands feel of them
 
-Written by `toolchain/sensitivity.py` from `toolchain/constants.txt`; `check.constants` refuses
-another value than that in the sources.
+Written by `toolchain/sensitivity.py` from `toolchain/constants.txt`; `check.constants` fails if a
+value here differs from that in the sources.
 
 | where they come from | how many |
 | --- | --- |
 {counts}
 
-## Measured or chosen: what half and double of them do
+## Measured or chosen numbers: effect of half and double
 
-{scenes} drawn scenes with moving hands (`tests/sensitivity`): every needle goes in, rests, steps
-aside, swings by 1 mm at 4 Hz across and along, goes deeper, back and in again, and comes out;
-rigid, elastic, on bone, two at once, on a surface that holds, through layers and gaps. The hands'
-ways are the same whatever they feel.
+{scenes} random scenes with moving hands (`tests/sensitivity`) are played. Every needle goes in,
+rests, steps aside, swings by 1 mm at 4 Hz across and along, goes deeper, back and in again, and
+comes out.
+Kinds of scene: rigid, elastic, on bone, two needles at once, on a surface that is not punctured,
+through layers and gaps. The hands move the same whatever they feel.
 
-Forces are averaged over 50 ms; their largest change, in per cent of the scene's largest force:
-median and largest of the scenes, and in what kind of scene that was. (A puncture that comes 5 ms
-later changes that mean by a tenth of its fall.) 0: no force of these scenes changed; bounds against
-violent hands, rounding and rare shapes are not reached by them. Broken: in how many scenes a
-promise that holds with the number as it is: energy for the hands (1 uJ), a force that trembles at
-rest, a needle held or tissue strained after it is out, a number that is not finite. The first row
-says how small a change means nothing; the second is all that goes by the tick.
+Forces are averaged over 50 ms. The columns *half* and *double* have the largest change of a force
+in per cent of the scene's largest force: the median over the scenes, the largest of the scenes, and
+the kind of the latter. (If a puncture comes 5 ms later, the mean changes by a tenth of the fall of
+the force.) 0 means that no force of these scenes changed: they do not reach bounds against violent
+hands, rounding and rare shapes. *Broken* says in how many scenes a promise is broken that holds
+with the present number. The promises are: hands gain no energy (1 uJ), no force trembles at rest,
+no needle is held and no tissue strained after the needle is out, all numbers are finite. A change
+as small as that of the first row means nothing. The second row has the effect of everything that
+depends on the length of a tick.
 
 | number | value | unit | half | double | broken | where it comes from |
 | --- | --- | --- | --- | --- | --- | --- |

@@ -187,9 +187,9 @@ int probe(const ProbeOptions& options) {
   const bool pushes = options.push && device.info.max_force_n > 0;
   if (!options.json) {
     fmt::print(
-        stderr, "{:g} s without force: move the device about and press its buttons{}\n",
+        stderr, "{:g} s without force: move the device around and press its buttons{}\n",
         options.seconds,
-        pushes ? "; then it pushes along its axes for 3 s, with at most 1 N: hold it loosely" : "");
+        pushes ? "; then it pushes along its axes for 3 s with at most 1 N: hold it loosely" : "");
   }
   hal::HostReport host;
   hal::prepare_thread(-1, 80, host);

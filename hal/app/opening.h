@@ -58,18 +58,19 @@ inline hal::Device open_or_stop(const std::string& uri, Opener open) {
     if (!stop_was_asked()) throw;
     throw hal::DeviceError(fmt::format("{}: stopped before it was open", uri));
   }
-  throw hal::DeviceError(
-      fmt::format("{}: its driver hangs in opening: switch the device off and on again", uri));
+  throw hal::DeviceError(fmt::format(
+      "{}: its driver hangs in the call that opens it: switch the device off and on again", uri));
 }
 
 // Says which of them hang; `uri` gives the URI of each.
 inline void close_or_leave(std::span<const hal::Device> devices,
                            const std::function<std::string(std::size_t)>& uri) {
   for (const std::size_t i : hal::close_devices(devices)) {
-    fmt::print(stderr,
-               "stylet: {}: its driver hangs in closing, after zero force was ordered: switch the "
-               "device off\n",
-               uri(i));
+    fmt::print(
+        stderr,
+        "stylet: {}: its driver hangs in the call that closes it, after zero force was ordered: "
+        "switch the device off\n",
+        uri(i));
   }
 }
 

@@ -258,7 +258,7 @@ std::string strength_text(const RunReport& report) {
     }
     text += fmt::format(
         "too weak    needle {}: in {} of {} ticks the force was cut to the {:g} N that the device "
-        "may give; along the needle the tissue's force was up to {:.2f} N. The hand goes further "
+        "may give; along the needle the tissue's force was up to {:.2f} N. The hand moves farther "
         "than with a stronger device, and the needle lags behind it: expected a stronger device, "
         "or mapping.force_scale below 1\n",
         i, limited, report.loop->ticks, static_cast<double>(report.most_force_n[i]), asked_n);
@@ -309,8 +309,8 @@ std::string resolution_text(const RunReport& report) {
   }
   if (dimple > kShallowVoxels) {
     text += fmt::format(
-        "dimple      {:.1f} voxels deep: with finer voxels the tissue below it, and by some per "
-        "cent the force, would be softer\n",
+        "dimple      {:.1f} voxels deep: with finer voxels the tissue below it would be softer, "
+        "and the force smaller by some per cent\n",
         dimple);
   }
   return text;

@@ -165,7 +165,7 @@ void Server::Impl::leave(const PageLink& link) {
 std::string Server::Impl::take_order(const PageLink& link, Order order) {
   const bool mark = order.verb == Verb::kMark;
   if (!mark && !in_control(link)) {
-    return "only the page that came first may control; this one may look and mark";
+    return "only the page that connected first is in control; this one may watch and set marks";
   }
   const std::size_t most = mark ? kMaxMarkBytes : kMaxNameBytes;
   if (order.verb != Verb::kChoose && order.text.size() > most) {

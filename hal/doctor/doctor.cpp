@@ -68,8 +68,8 @@ Finding device_priority(const Patient& patient) {
 Finding device_watchdog(const Patient& patient) {
   static constexpr Check kWatchdog = {
       "device watchdog", Verdict::kWarn, nullptr,
-      "install the newest SDK and firmware: without a watchdog the force of a driver that hangs "
-      "stays until this program switches it off, and for good if this program hangs, too"};
+      "install the newest SDK and firmware: without a watchdog, if the driver hangs, its last "
+      "force stays until this program switches it off, and for good if this program hangs, too"};
   const bool taken = *patient.trials->watchdog;
   const Seen seen = {taken ? Condition::kGood : Condition::kBad, taken ? "taken" : "refused",
                      "dhdSetWatchdog"};

@@ -221,8 +221,8 @@ Seen pcie_sleep(const Patient&, const HostTree& tree) {
 constexpr Check kChecks[] = {
     {"RT kernel", Verdict::kFail, preempt_rt, "install linux-image-rt-amd64 and boot it"},
     {"virtual machine", Verdict::kWarn, virtual_machine,
-     "run without a virtual machine: here timing is up to the host, and says nothing of the "
-     "machine"},
+     "run without a virtual machine: in it timing depends on the host, and measurements say "
+     "nothing about the machine"},
     {"clock resolution", Verdict::kFail, clock_resolution,
      "boot a kernel with CONFIG_HIGH_RES_TIMERS, without highres=off"},
     {"clock source", Verdict::kFail, clock_source,
@@ -234,12 +234,12 @@ constexpr Check kChecks[] = {
      "run as root, or put \"@realtime - memlock unlimited\" into /etc/security/limits.conf and "
      "your user into the group realtime"},
     {"RT throttling", Verdict::kInfo, rt_throttling,
-     "sysctl kernel.sched_rt_runtime_us=950000: a run-away loop leaves 5 % to others, a good one "
-     "never gets there"},
+     "sysctl kernel.sched_rt_runtime_us=950000: a loop that never sleeps then leaves 5 % to other "
+     "programs; a normal loop never reaches this limit"},
     {"swap", Verdict::kWarn, swap, "swapoff -a, and take swap out of /etc/fstab"},
     {"huge pages", Verdict::kWarn, huge_pages,
-     "boot with transparent_hugepage=madvise: while pages are merged, whoever uses them has to "
-     "wait"},
+     "boot with transparent_hugepage=madvise: while Linux merges pages, a thread that uses them "
+     "has to wait"},
     {"page merging", Verdict::kWarn, same_page_merging, "echo 0 > /sys/kernel/mm/ksm/run"},
     {"compaction", Verdict::kWarn, compaction, "sysctl vm.compaction_proactiveness=0"},
     {"lockup detectors", Verdict::kWarn, lockup_detectors,
@@ -249,10 +249,10 @@ constexpr Check kChecks[] = {
      "as root: mount -t tracefs nodev /sys/kernel/tracing, echo nop > "
      "/sys/kernel/tracing/current_tracer"},
     {"EFI runtime", Verdict::kInfo, efi_runtime,
-     "boot with efi=noruntime: a call of the firmware stops every processor"},
+     "boot with efi=noruntime: a call into the firmware stops every processor"},
     {"mitigations", Verdict::kInfo, mitigations, ""},
     {"PCIe sleep", Verdict::kInfo, pcie_sleep,
-     "boot with pcie_aspm.policy=performance: a link that sleeps answers late"},
+     "boot with pcie_aspm.policy=performance: a sleeping link answers late"},
 };
 
 }  // namespace

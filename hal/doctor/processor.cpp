@@ -181,8 +181,8 @@ constexpr Check kChecks[] = {
      "boot with isolcpus=managed_irq,domain,{cpu}, or set loop.cpu (here: --cpu) to one that is "
      "isolated"},
     {"tick mode", Verdict::kInfo, tick_mode,
-     "leave processor {cpu} out of nohz_full, or compare both with --measure: it makes every entry "
-     "into the kernel slower, and the loop enters it a thousand times a second"},
+     "leave processor {cpu} out of nohz_full, or compare both with --measure: nohz_full makes "
+     "every entry into the kernel slower, and the loop enters it a thousand times a second"},
     {"RCU callbacks", Verdict::kInfo, rcu_callbacks, "boot with rcu_nocbs={cpu}"},
     {"interrupt routing", Verdict::kWarn, interrupt_routing,
      "boot with irqaffinity= of the other processors, and stop irqbalance"},
@@ -194,9 +194,9 @@ constexpr Check kChecks[] = {
      "move them to other processors (taskset -p), or below priority {priority} (chrt -p)"},
     {"governor", Verdict::kFail, governor,
      "cpupower frequency-set -g performance, with the lowest frequency as high as the highest; "
-     "where Linux has no say, fix the frequency in the firmware"},
+     "if Linux cannot set it, fix the frequency in the firmware"},
     {"turbo", Verdict::kInfo, turbo,
-     "a speed that depends on heat makes ticks uneven: echo 1 > "
+     "ticks vary if the speed depends on temperature: echo 1 > "
      "/sys/devices/system/cpu/intel_pstate/no_turbo, or 0 > cpufreq/boost"},
     {"idle states", Verdict::kWarn, idle_states,
      "give your user the right to write /dev/cpu_dma_latency, or boot with "

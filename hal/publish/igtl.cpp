@@ -49,7 +49,7 @@ int listen_on(const IgtlConfig& config) {
   address.sin_family = AF_INET;
   address.sin_port = htons(config.port);
   if (inet_pton(AF_INET, config.address.c_str(), &address.sin_addr) != 1) {
-    throw IgtlError(where + ": expected an address of this machine, as 127.0.0.1 or 0.0.0.0");
+    throw IgtlError(where + ": expected an address of this machine, such as 127.0.0.1 or 0.0.0.0");
   }
   const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const int yes = 1;

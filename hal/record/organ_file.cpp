@@ -12,7 +12,7 @@
 namespace stylet::hal {
 
 OrganFile load_organ(const std::string& path) {
-  constexpr const char* kExpected = "expected an organ file, as stylet-organ makes them";
+  constexpr const char* kExpected = "expected an organ file that stylet-organ made";
   if (const std::string why = why_unreadable(path); !why.empty()) {
     throw LoadError(fmt::format("{}: {}: {}", path, why, kExpected));
   }

@@ -34,7 +34,7 @@ NeedlePreset read_gauge(Section& needle) {
   (void)needle.get("preset");
   if (needle.has("od_mm") && needle.has(key)) needle.fail(key, "either gauge or od_mm");
   if (!needle.has("od_mm") && needle.has("id_mm")) {
-    needle.fail("id_mm", "this key only with od_mm, as a gauge has its own");
+    needle.fail("id_mm", "this key only with od_mm, because a gauge has its own");
   }
   NeedlePreset gauge = *find_needle(needle.choice(key, "18G", names_of(needle_presets())));
   if (needle.has("od_mm")) gauge.inner_mm = 0;
@@ -82,7 +82,7 @@ void read_hub(Section& needle, const NeedlePreset& gauge, NeedleConfig& config) 
     if (hub == "closed" && needle.has(key)) needle.fail(key, "this key only with an open hub");
   }
   if (hub != "closed" && !(gauge.inner_mm > 0)) {
-    needle.fail("hub", "\"closed\", as the needle is solid: id_mm gives it a bore");
+    needle.fail("hub", "\"closed\", because the needle is solid: id_mm gives it a bore");
   }
   config.bore_radius_m = si(gauge.inner_mm, 0.5e-3);
   const double half_angle_deg =
@@ -103,7 +103,7 @@ void read_hub(Section& needle, const NeedlePreset& gauge, NeedleConfig& config) 
 }
 
 void read_hull(const std::string& path, ObstacleConfig& config) {
-  const std::string text = read_text(path, "a hull, as stylet-organ hull makes them");
+  const std::string text = read_text(path, "a hull that stylet-organ hull made");
   const toml::table root = parse_toml(text, path);
   Section hull(path, &root, "");
   for (const char* key : {"source", "sha256"}) (void)hull.text(key, "");

@@ -92,7 +92,7 @@ void read_spin(Section& section, const Waypoint& last, Waypoint& w) {
     section.fail(
         "turns",
         fmt::format(
-            "at most {:.2f} for each second in which it rolls: duty times the time of the way",
+            "at most {:.2f} for each second of rolling, which is duty times the time of the motion",
             most));
   }
 }
@@ -115,10 +115,10 @@ Waypoint read_waypoint(Section section, const Waypoint& last) {
   const bool moves = section.has("travel_mm") || section.has("lateral_mm") || section.has("turns");
   const int paces = (section.has("speed_mm_s") ? 1 : 0) + (section.has("time_s") ? 1 : 0);
   if (moves && paces != 1) {
-    section.fail("speed_mm_s", "either speed_mm_s or time_s, as this waypoint moves");
+    section.fail("speed_mm_s", "either speed_mm_s or time_s, because this waypoint moves");
   }
   if (!moves && paces != 0)
-    section.fail("travel_mm", "a place to go to, as this waypoint has speed_mm_s or time_s");
+    section.fail("travel_mm", "a place to go to, because this waypoint has speed_mm_s or time_s");
   read_spin(section, last, w);
   section.finish();
   return w;
@@ -157,7 +157,7 @@ void read_steering(Section section, const NeedleConfig& needle, Hand& out) {
   const float bevel_per_m = needle.bevel_per_m;
   if (steered && !(bevel_per_m > 0) && !section.has("curvature_per_m")) {
     section.fail("curvature_per_m",
-                 "a curvature of the path, as the needle's tip has no bevel that tells it");
+                 "a curvature of the path, because the needle's tip has no bevel that gives it");
   }
   steering.curvature_per_m = static_cast<float>(
       section.number("curvature_per_m", static_cast<double>(bevel_per_m), 0.01, 100));

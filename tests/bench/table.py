@@ -72,10 +72,11 @@ def table(found):
         head = ["voxels", "us", "ns a voxel, AVX-512", "AVX2", "with added mass, AVX-512", "AVX2",
                 "steps a second", f"times the paper's {PAPER_FPS}", "Bullet takes", "Eigen takes"]
         yield from lines(head, rows(of))
-        yield ("\nHow many times as fast the same step is with one helper thread; and how many\n"
-               "times as much two threads do that have nothing in common. Others may use this\n"
-               "machine's second processor: the quarter of the repetitions counts in which these\n"
-               "two were fastest; in brackets the median of all:\n\n")
+        yield ("\n*Helped*: how many times as fast the same step is with one helper thread.\n"
+               "*Nothing in common*: how many times the work of one thread two independent\n"
+               "threads do. Other programs may use the second processor, so only the quarter of\n"
+               "the repetitions counts in which those two threads were fastest; in brackets the\n"
+               "median of all:\n\n")
         head = ["voxels", "helped, AVX-512", "AVX2", "nothing in common, AVX-512", "AVX2"]
         yield from lines(head, rows_of_two_threads(of))
     yield "\n"

@@ -43,11 +43,12 @@ SWING_MM, PIECES, IN_S, REST_S = 1, 16, 4, 0.5
 HEAD = """\
 # What halving does to the forces of the scenes
 
-Written by `tests/e2e/halving.py --table tests/e2e/halving.md`: mean change of the force, averaged
-over 50 ms, in per cent of its mean, when the voxel, the needle's unit or the step is halved; the
-largest force for scale. Unit and step: at most 2. The voxel: below 10, and above 2 where a dimple
-some voxels deep presses tissue to a fraction of its length (finer voxels are softer there), or
-where layers are a voxel thick (liver-biopsy).
+Written by `tests/e2e/halving.py --table tests/e2e/halving.md`. The table has the mean change of
+the force, averaged over 50 ms, in per cent of its mean, when the voxel, the needle's unit or the
+step is halved, and the largest force for scale. For the unit and the step the change is at most 2.
+For the voxel it is below 10; it is above 2 where a dimple some voxels deep presses tissue to a
+fraction of its length (finer voxels are softer there), or where layers are as thin as a voxel
+(liver-biopsy).
 
 | scene | largest force, N | voxel | unit | step |
 | --- | --- | --- | --- | --- |
@@ -55,11 +56,12 @@ where layers are a voxel thick (liver-biopsy).
 SWING_HEAD = """
 ## The same where the hand swings
 
-Change of the force along the swing, over the way, in per cent, when the voxel, the unit or the step
-is halved: of a hand that swings by 1 mm across the needle where the scene is deepest. Both in phase
-with the hand and behind it count. With `added_mass` a step or a voxel half as long adds another
-mass, which a fast hand feels. The first resonance of fig08's liver, as a run of it says, lies
-between 4 and 8 Hz with its true mass: there small changes of stiffness turn the phase.
+Here the hand swings by 1 mm across the needle where the scene is deepest. The table has the change,
+in per cent, of the force along the swing divided by the hand's displacement, when the voxel, the
+unit or the step is halved. This ratio is a complex number, so a change of phase counts as well.
+With `added_mass` half the step or half the voxel adds another mass, which a fast hand feels. The
+first resonance of fig08's liver, as its run reports it, is between 4 and 8 Hz with true mass; there
+a small change of stiffness changes the phase much.
 
 | scene | inertia | """ + " | ".join(f"{hz} Hz: voxel, unit, step" for hz in SWINGS_S) + """ |
 | --- | --- | """ + " | ".join("---" for _ in SWINGS_S) + """ |

@@ -280,8 +280,9 @@ TEST(Igtl, InvalidAddressesAndTakenPortsAreRefused) {
   };
   IgtlConfig config = any_port();
   config.address = "nowhere";
-  EXPECT_EQ(refusal(config),
-            "OpenIGTLink: nowhere:0: expected an address of this machine, as 127.0.0.1 or 0.0.0.0");
+  EXPECT_EQ(
+      refusal(config),
+      "OpenIGTLink: nowhere:0: expected an address of this machine, such as 127.0.0.1 or 0.0.0.0");
   const IgtlServer first(any_port());
   config = any_port();
   config.port = first.port();
