@@ -55,7 +55,7 @@ std::uint64_t shadow_floats(const Counts& counts) {
 
 CascadeVectors cascade_vectors(const Model& model, float* memory) {
   const Counts& counts = model.head->counts;
-  const std::ptrdiff_t coarse = std::ptrdiff_t{counts.border} + counts.shadows;
+  const auto coarse = static_cast<std::ptrdiff_t>(std::uint64_t{counts.border} + counts.shadows);
   Four* const all = reinterpret_cast<Four*>(memory);
   Four* const first = all + counts.cascade;
   return {all,

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 
+#include "organ/runs.h"
 #include "state/layout.h"
 
 namespace stylet {
