@@ -71,7 +71,8 @@ class FaultDesk {
     fmt::print(stderr, "\r\033[Kstylet: {}: {}\n", names_[i], what);
   }
   void tell(std::size_t i, hal::Fault latched) const {
-    if (latched == hal::Fault::kNone) return say(i, "acknowledged: forces fade in");
+    // By Enter, by a button of the device, or because it ended before the first force.
+    if (latched == hal::Fault::kNone) return say(i, "no fault any more: forces fade in");
     say(i, fmt::format("{}: no force until it is acknowledged{}", hal::fault_name(latched),
                        reads_a_terminal() ? ": Enter" : ""));
   }

@@ -48,7 +48,9 @@ struct DeviceInfo {
   float max_stiffness_n_per_m = 0;  // that it renders without buzzing; 0: unknown
   float max_torque_nm = 0;          // 0: it renders none
   float continuous_force_n = 0;     // that its motors bear for ever; 0: unknown
-  float force_life_s = 0;           // after this a force not renewed ends by itself; 0: it does not
+  // The device ends a force by itself so long after it measured the sample that the force answers;
+  // 0: it does not, or counts from when the force came.
+  float force_life_s = 0;
   const char* identity = "";  // tells it apart from others of its kind; empty: it does not say
   const DeviceModel* model = nullptr;  // the model it was recognised as; null: unknown
 };

@@ -688,7 +688,7 @@ uri = "hd:Right"
                 threading.Timer(1, silent.clear).start()
             if "not acknowledged: it gives no usable sample yet" in line:
                 threading.Timer(0.5, os.write, (keys, b"\n")).start()
-            if "acknowledged: forces fade in" in line:
+            if "no fault any more: forces fade in" in line:
                 return
         self.fail("it was never acknowledged")
 
