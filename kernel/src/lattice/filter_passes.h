@@ -222,6 +222,22 @@ STYLET_KEEP_APART void gather_tiles(const Tile* tile, const Tile* end, const flo
   }
 }
 
+// The arrays of a plane and of its neighbours that a pass needs.
+struct PassArrays {
+  const float *last, *high;  // what it starts from: the plane's, and that of the plane above
+  const float* below;        // what voxels of the plane below send; above: what the plane's send
+  float* above;
+  const float *bounds, *first, *before;  // the last two: of w, and of the pass before
+  float* work;                           // room for a plane
+};
+template <typename AnyWave>
+PassArrays arrays_of(const AnyWave& wave, std::uint32_t j, std::uint32_t z, std::uint32_t above_z) {
+  return {wave.iterate(j, z),     wave.iterate(j, above_z),
+          wave.sent(j, z + 1),    wave.sent(j, z),
+          wave.bound(z),          wave.start(z),
+          wave.iterate(j - 1, z), wave.work};
+}
+
 // The arrays of a plane's particles that a pass goes on from.
 struct Iterates {
   FilterPass pass;
@@ -265,22 +281,19 @@ inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iter
 // nearest cache until the nodes below them take it.
 constexpr std::ptrdiff_t kTilesTogether = 16;
 
-template <bool kStart, typename AnyWave>
-STYLET_KEEP_APART void pass_plane_as(const Model& model, const AnyWave& wave, std::uint32_t j,
+template <bool kStart>
+STYLET_KEEP_APART void pass_plane_as(const Model& model, const PassArrays& arrays, std::uint32_t j,
                                      std::uint32_t z, float* to) {
   const Plane& plane = model.plane[z];
   const PlaneTiles& own = plane.tiles;
   const Tile *const nodes = model.tile + own.node, *const voxels = model.tile + own.voxel;
   const std::ptrdiff_t voxel_count = own.end - own.voxel;
-  const std::uint32_t above_z = z < model.head->counts.planes ? z + 1 : z;  // there: no voxels
-  const float *const last = wave.iterate(j, z), *const high = wave.iterate(j, above_z);
-  const float* const below = wave.sent(j, z + 1);  // two planes in turn
-  float* const above = wave.sent(j, z);
-  const float* const bounds = wave.bound(z);
+  const float* const below = arrays.below;
+  float* const above = arrays.above;
   const FilterPass& pass = model.head->filter.pass[j - 1];
-  const Iterates iterates = {
-      pass, pass.bound_s2 / model.head->substep_s, bounds, wave.start(z), wave.iterate(j - 1, z),
-      last};
+  const Iterates iterates = {pass,          pass.bound_s2 / model.head->substep_s,
+                             arrays.bounds, arrays.first,
+                             arrays.before, arrays.last};
   const bool tied = plane.tie_begin != plane.tie_end;
   const Tile* node = nodes;
   const auto finish_until = [&](const Tile* end) {
@@ -296,14 +309,15 @@ STYLET_KEEP_APART void pass_plane_as(const Model& model, const AnyWave& wave, st
   for (std::ptrdiff_t done = 0; done < voxel_count; done += kTilesTogether) {
     const std::ptrdiff_t next = std::min(done + kTilesTogether, voxel_count);
     const std::ptrdiff_t at = std::ptrdiff_t{kTileFloats} * (done + 1);
-    sum_tiles(voxels + done, voxels + next, last, high, bounds + at, above + at, carry);
+    sum_tiles(voxels + done, voxels + next, arrays.last, arrays.high, arrays.bounds + at,
+              above + at, carry);
     if (!tied) finish_until(nodes + voxels[next - 1].ready);
   }
   if (!tied) {
     finish_until(voxels);
     return;
   }
-  float* const sums = wave.work;
+  float* const sums = arrays.work;
   gather_tiles(nodes, voxels, below, above, sums + kTileFloats);
   join_tied(model.tied_place + plane.tie_begin, model.tied_place + plane.tie_end, sums, 0, kTile);
   finish_tiles<kStart>(nodes, voxels, iterates, kTileFloats, to,
@@ -317,10 +331,12 @@ STYLET_KEEP_APART void pass_plane_as(const Model& model, const AnyWave& wave, st
 template <typename AnyWave>
 inline void pass_plane(const Model& model, const AnyWave& wave, std::uint32_t j, std::uint32_t z,
                        float* to) {
+  const std::uint32_t above_z = z < model.head->counts.planes ? z + 1 : z;  // there: no voxels
+  const PassArrays arrays = arrays_of(wave, j, z, above_z);
   if (j == 1) {
-    pass_plane_as<true>(model, wave, j, z, to);
+    pass_plane_as<true>(model, arrays, j, z, to);
   } else {
-    pass_plane_as<false>(model, wave, j, z, to);
+    pass_plane_as<false>(model, arrays, j, z, to);
   }
 }
 

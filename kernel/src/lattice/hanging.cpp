@@ -8,7 +8,6 @@
 namespace stylet {
 namespace {
 
-constexpr std::uint32_t kMasters = 4;
 // The force that a hanging node can pass on in a substep is what its bound on stiffness gives at so
 // many edges. Tissue that is torn farther loses momentum there.
 constexpr float kFarthest = 16;
@@ -69,11 +68,21 @@ void list_shares(const Model& model, HangingShare* shares) {
       *end++ = {h.master[m], h.node, h.weight[m] * other / own, level};
     }
   }
-  std::sort(shares, end, [](const HangingShare& a, const HangingShare& b) {
-    if (a.count != b.count) return a.count > b.count;  // still the level
+  order_shares(shares, end, true);
+  count_shares(shares, end);
+}
+
+}  // namespace
+
+void order_shares(HangingShare* first, HangingShare* end, bool finest_first) {
+  std::sort(first, end, [=](const HangingShare& a, const HangingShare& b) {
+    if (a.count != b.count) return finest_first ? a.count > b.count : a.count < b.count;
     return a.to != b.to ? a.to < b.to : a.from < b.from;
   });
-  for (HangingShare* first = shares; first != end;) {
+}
+
+void count_shares(HangingShare* first, const HangingShare* end) {
+  while (first != end) {
     HangingShare* next = first;
     for (; next != end && next->to == first->to && next->count == first->count; ++next) {
     }
@@ -81,8 +90,6 @@ void list_shares(const Model& model, HangingShare* shares) {
     first = next;
   }
 }
-
-}  // namespace
 
 void count_hanging(const Organ& organ, Counts& counts_io) {
   counts_io.hanging = static_cast<std::uint32_t>(organ.hanging.size());

@@ -32,6 +32,10 @@ const HangingNode* hanging_at(const Model& model, std::uint32_t particle);
 inline bool hangs(const Model& model, std::uint32_t particle) {
   return hanging_at(model, particle) != nullptr;
 }
+// Brings shares into the order of their levels, which HangingShare::count has until then, of who
+// gets and of who gives; and then counts for each that gets how many are its own.
+void order_shares(HangingShare* first, HangingShare* end, bool finest_first);
+void count_shares(HangingShare* first, const HangingShare* end);
 // The nodes' mobilities and shares; needs the masters' mobilities, with 0 where they are attached,
 // and the nodes' bounds. Afterwards nodes have no mass.
 void fill_shares(Model& model);

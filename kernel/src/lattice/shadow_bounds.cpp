@@ -80,7 +80,7 @@ Mean without_hanging(const Plan& plan, Mean mean) {
       const HangingNode* const h = hanging_at(plan.model, particle);
       const bool moves = particle == kNone || plan.model.step_per_mass[particle] > 0;
       if (h == nullptr && moves) next.add(mean.node[k], mean.weight[k]);
-      for (std::uint32_t m = 0; h != nullptr && m < 4 && h->weight[m] > 0; ++m) {
+      for (std::uint32_t m = 0; h != nullptr && m < kMasters && h->weight[m] > 0; ++m) {
         next.add(node_of_particle(plan, h->master[m]), mean.weight[k] * h->weight[m]);
       }
     }

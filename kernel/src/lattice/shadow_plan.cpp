@@ -82,7 +82,7 @@ void list_shares(const Plan& plan, const LevelPlace& at, HangingShare*& next) {
     const std::uint32_t particle = particle_at(plan, at);
     child = node_of_particle(plan, particle);
     if (const HangingNode* const h = hanging_at(model, particle); h != nullptr) {
-      for (std::uint32_t m = 0; m < 4; ++m) {
+      for (std::uint32_t m = 0; m < kMasters; ++m) {
         if (h->weight[m] > 0) {
           *next++ = {child, node_of_particle(plan, h->master[m]), h->weight[m], at.level};
         }
@@ -118,31 +118,16 @@ LevelPlace place_of(const Organ& organ, const ShadowNode& shadow) {
   return at;
 }
 
-// Brings shares into the order of their levels, of who gets and of who gives. HangingShare::count
-// is still the level.
+// Brings shares into order, and finds where each level's begin.
 void sort_shares(HangingShare* shares, HangingShare* end, bool finest_first,
                  std::uint32_t (&begin_out)[kMaxLevels + 1]) {
-  std::sort(shares, end, [=](const HangingShare& a, const HangingShare& b) {
-    if (a.count != b.count) return finest_first ? a.count > b.count : a.count < b.count;
-    return a.to != b.to ? a.to < b.to : a.from < b.from;
-  });
+  order_shares(shares, end, finest_first);
   for (std::uint32_t level = 0; level <= kMaxLevels; ++level) {
     const auto before = [&](const HangingShare& s) {
       return finest_first ? s.count > level : s.count < level;
     };
     begin_out[level] =
         static_cast<std::uint32_t>(std::partition_point(shares, end, before) - shares);
-  }
-}
-
-// Counts for each that gets how many shares are its own.
-void count_shares(HangingShare* first, const HangingShare* end) {
-  while (first != end) {
-    HangingShare* next = first;
-    for (; next != end && next->to == first->to && next->count == first->count; ++next) {
-    }
-    first->count = static_cast<std::uint32_t>(next - first);
-    first = next;
   }
 }
 
@@ -245,7 +230,7 @@ void count_shadows(const Organ& organ, std::uint64_t fine, Counts& counts_io) {
       }
     });
   }
-  c.border += 4 * c.hanging;  // masters; most of them are corners of shadow cells as well
+  c.border += kMasters * c.hanging;  // masters; most of them are corners of shadow cells as well
   const auto share = [&](const LevelPlace& at) {
     for_each_parent(at, [&](auto...) { ++c.shadow_shares; });
   };

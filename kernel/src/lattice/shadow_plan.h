@@ -18,11 +18,6 @@ struct Plan {
   Shadows& shadows;
 };
 
-// By z, y and x: the order of the file.
-template <typename Place>
-std::uint64_t order_of(const Place& at) {
-  return (std::uint64_t{at.z} << 32U) | (std::uint64_t{at.y} << 16U) | at.x;
-}
 template <typename Place>
 bool comes_before(const Place& a, const Place& b) {
   return order_of(a) < order_of(b);

@@ -45,8 +45,7 @@ inline bool has_voxel(const Organ& organ, const LevelPlace& at) {
   return has_voxel(organ, {at.x, at.x + 1}, place.y, place.z);
 }
 
-// Whether some level from `begin` on has a voxel in a cell; of that level, in the rows of the cell
-// (y first, then z) before `rows` only.
+// Whether a level has a voxel in a coarser cell, in its first so many rows (y first, then z).
 inline bool has_voxel_in(const Organ& organ, const LevelPlace& cell, std::uint32_t level,
                          std::uint32_t rows) {
   const std::uint32_t ratio = 1U << (level - cell.level);

@@ -44,26 +44,22 @@ bool check_planes(Checker& check, const Organ& organ) {
   return true;
 }
 
-constexpr std::uint64_t order_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  return (std::uint64_t{z} << 32U) | (std::uint64_t{y} << 16U) | x;
-}
-
 bool is_tied(const Organ& organ, const OrganHanging& h) {
   const auto before = [](const OrganTie& tie, std::uint64_t place) {
-    return order_of(tie.x, tie.y, tie.z) < place;
+    return order_of(tie) < place;
   };
-  const std::uint64_t place = order_of(h.x, h.y, h.z);
+  const std::uint64_t place = order_of(h);
   const auto at = std::lower_bound(organ.ties.begin(), organ.ties.end(), place, before);
-  return at != organ.ties.end() && order_of(at->x, at->y, at->z) == place;
+  return at != organ.ties.end() && order_of(*at) == place;
 }
 
 bool hangs(const Organ& organ, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   const auto before = [](const OrganHanging& h, std::uint64_t place) {
-    return order_of(h.x, h.y, h.z) < place;
+    return order_of(h) < place;
   };
   const std::uint64_t place = order_of(x, y, z);
   const auto at = std::lower_bound(organ.hanging.begin(), organ.hanging.end(), place, before);
-  return at != organ.hanging.end() && order_of(at->x, at->y, at->z) == place;
+  return at != organ.hanging.end() && order_of(*at) == place;
 }
 
 // The node lies in the voxel, all of it closed, and on its surface.
@@ -87,10 +83,10 @@ bool is_on_surface(const Organ& organ, const OrganHanging& h) {
 bool check_hanging(Checker& check, const Organ& organ) {
   for (std::size_t i = 0; i < organ.hanging.size(); ++i) {
     const OrganHanging& h = organ.hanging[i];
-    const std::uint64_t place = order_of(h.x, h.y, h.z);
+    const std::uint64_t place = order_of(h);
     const OrganHanging& last = organ.hanging[i > 0 ? i - 1 : 0];
-    if (!check.require(i == 0 || place > order_of(last.x, last.y, last.z), Status::kOrganOrderWrong,
-                       "levels.hanging", i, h.x, "nodes sorted by z, y, x, each once") ||
+    if (!check.require(i == 0 || place > order_of(last), Status::kOrganOrderWrong, "levels.hanging",
+                       i, h.x, "nodes sorted by z, y, x, each once") ||
         !check.require(has_node(organ, h.x, h.y, h.z) &&
                            has_voxel(organ, {h.voxel_x, h.voxel_x + 1U}, h.voxel_y, h.voxel_z),
                        Status::kOrganIndexOutOfRange, "levels.hanging", i, h.x,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "organ/runs.h"
 #include "organ/triangle.h"
 #include "stylet/limits.h"
 
@@ -61,18 +62,14 @@ void test_cell(const Organ& organ, const OrganMembraneCell& cell, const Way& way
   }
 }
 
-std::uint64_t order_of(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-  return (z << 32U) | (y << 16U) | x;
-}
-
 // All membranes of a cell of space.
 void test_place(const Organ& organ, std::uint64_t place, const Way& way, Crossing& found) {
   const auto before = [](const OrganMembraneCell& cell, std::uint64_t at) {
-    return order_of(cell.x, cell.y, cell.z) < at;
+    return order_of(cell) < at;
   };
   const auto end = organ.membrane_cells.end();
   auto cell = std::lower_bound(organ.membrane_cells.begin(), end, place, before);
-  for (; cell != end && order_of(cell->x, cell->y, cell->z) == place; ++cell) {
+  for (; cell != end && order_of(*cell) == place; ++cell) {
     test_cell(organ, *cell, way, found);
   }
 }
@@ -116,8 +113,8 @@ MembraneCrossing first_membrane(const Organ& organ, std::span<const MembraneOpen
       for (std::int32_t j = y.first; j <= y.last; ++j) {
         for (std::int32_t i = x.first; i <= x.last; ++i) {
           test_place(organ,
-                     order_of(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j),
-                              static_cast<std::uint64_t>(k)),
+                     order_of(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
+                              static_cast<std::uint32_t>(k)),
                      way, found);
         }
       }

@@ -216,12 +216,6 @@ bool check_spheres(Checker& check, const Organ& organ) {
   return check_depth(check, organ);
 }
 
-template <typename Place>  // OrganTie, OrganPart, OrganMembraneCell
-constexpr std::uint64_t order_of(const Place& at) {
-  return (static_cast<std::uint64_t>(at.z) << 32U) | (static_cast<std::uint64_t>(at.y) << 16U) |
-         at.x;
-}
-
 bool is_tied(const Organ& organ, const OrganTie& node) {
   return std::binary_search(
       organ.ties.begin(), organ.ties.end(), node,

@@ -6,7 +6,8 @@
 namespace stylet {
 namespace {
 
-constexpr std::uint64_t order_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+// For a run's end, which may be beyond 65 535.
+constexpr std::uint64_t order_of_end(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return (static_cast<std::uint64_t>(z) << 40U) | (static_cast<std::uint64_t>(y) << 20U) | x;
 }
 
@@ -14,10 +15,10 @@ constexpr std::uint64_t order_of(std::uint32_t x, std::uint32_t y, std::uint32_t
 
 bool has_voxel(const Organ& organ, Extent x, std::uint32_t y, std::uint32_t z) {
   const auto ends_before = [](const OrganRun& run, std::uint64_t place) {
-    return order_of(static_cast<std::uint32_t>(run.x) + run.count, run.y, run.z) <= place;
+    return order_of_end(static_cast<std::uint32_t>(run.x) + run.count, run.y, run.z) <= place;
   };
-  const auto run =
-      std::lower_bound(organ.runs.begin(), organ.runs.end(), order_of(x.begin, y, z), ends_before);
+  const auto run = std::lower_bound(organ.runs.begin(), organ.runs.end(),
+                                    order_of_end(x.begin, y, z), ends_before);
   return run != organ.runs.end() && run->y == y && run->z == z && run->x < x.end;
 }
 

@@ -139,6 +139,15 @@ inline std::uint32_t line_in_space(const Organ& organ, std::uint32_t y) {
   return organ.size_y == organ.sheet_rows ? y : y % organ.sheet_rows;
 }
 
+// The order of a file's places: by z, y and x, each below 65 536.
+constexpr std::uint64_t order_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  return (std::uint64_t{z} << 32U) | (std::uint64_t{y} << 16U) | x;
+}
+template <typename Place>
+constexpr std::uint64_t order_of(const Place& at) {
+  return order_of(at.x, at.y, at.z);
+}
+
 // Whether row (y, z) has a voxel in [x.begin, x.end).
 bool has_voxel(const Organ& organ, Extent x, std::uint32_t y, std::uint32_t z);
 // Whether (x, y, z) is a node: the corner of a voxel.

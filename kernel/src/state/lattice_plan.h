@@ -43,12 +43,13 @@ struct TiedNode {
   std::uint32_t node, representative;  // particles; the second is the one that moves
 };
 
+constexpr std::uint32_t kMasters = 4;  // at most: the corners of a voxel's face
 // A node on the surface of a coarser voxel. It moves as that voxel's corners around it do, its
 // masters: with their weights, which add up to 1. Less than four masters: the others' weights are
 // 0.
 struct HangingNode {
-  std::uint32_t node, master[4];  // particles
-  float weight[4];                // of the masters
+  std::uint32_t node, master[kMasters];  // particles
+  float weight[kMasters];                // of the masters
 };
 // What a node gives to another of all that it has got, listed by the one that gets it. Of a hanging
 // node in the sweep: the weight, times the master's mobility over the node's own.
