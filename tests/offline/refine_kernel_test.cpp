@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "felt.h"
 #include "meshes/phantom.h"
 #include "offline_support.h"
 #include "organ_levels.h"
@@ -46,7 +47,6 @@ offline::Built block(double voxel_mm, const std::vector<std::string>& where) {
   return build_quietly({input_of(box_mesh({0, 0, 0}, {0.04, 0.04, 0.04}), 1, "gel")}, options);
 }
 
-// The forces of an insertion, a pause, a pull to the side and the way out.
 std::vector<Vec3> felt_n(const offline::Built& built) {
   const Organ organ = opened(built.bytes);
   Config config;
@@ -54,21 +54,7 @@ std::vector<Vec3> felt_n(const offline::Built& built) {
   config.substeps = 8;  // with one, fine voxels everywhere and around the way are 4 % off, each
   Session session = make_session(organ, config);
   const Script script = {{0.0153F, 0.0213F, 0.04F}, config.needle[0].length_m};
-  std::vector<Vec3> felt;
-  for (std::uint64_t i = 0; i < kCycleTicks; ++i) {
-    felt.push_back(tick(session.kernel, scripted_input(script, i)).force_n);
-  }
-  return felt;
-}
-
-double off(const std::vector<Vec3>& felt, const std::vector<Vec3>& wanted) {
-  double difference = 0, all = 0;
-  for (std::size_t i = 0; i < felt.size(); ++i) {
-    const Vec3 d = felt[i] - wanted[i];
-    difference += static_cast<double>(dot(d, d));
-    all += static_cast<double>(dot(wanted[i], wanted[i]));
-  }
-  return std::sqrt(difference / all);
+  return felt_n(session.kernel, script);
 }
 
 // Fine around its way, a needle feels what it would feel if all were fine (kernel/decisions/30).

@@ -7,10 +7,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <random>
 #include <set>
 #include <vector>
 
 #include "owned_organ.h"
+#include "session.h"
 
 namespace stylet::test {
 
@@ -246,6 +248,27 @@ class Builder {
 
 inline std::unique_ptr<Owner> graded_organ(const Graded& graded) {
   return graded_detail::Builder(graded).owner();
+}
+
+// Splits about this part of the cells.
+inline std::function<bool(std::uint32_t, int, int, int)> at_random(unsigned seed, double part) {
+  return [=](std::uint32_t level, int x, int y, int z) {
+    std::seed_seq place = {seed, level, static_cast<unsigned>(x), static_cast<unsigned>(y),
+                           static_cast<unsigned>(z)};
+    std::mt19937 random(place);
+    return std::bernoulli_distribution(part)(random);
+  };
+}
+
+// A graded organ in a kernel.
+struct Body {
+  std::unique_ptr<OpenOrgan> organ;
+  Session session;
+};
+inline Body make(const Graded& graded, const Config& config) {
+  Body out = {packed(*graded_organ(graded)), {}};
+  out.session = make_session(out.organ->organ, config);
+  return out;
 }
 
 }  // namespace stylet::test

@@ -10,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "felt.h"
 #include "helper_threads.h"
 #include "lattice/hanging.h"
 #include "lattice/voxel.h"
@@ -20,16 +21,6 @@
 
 namespace stylet::test {
 namespace {
-
-struct Body {
-  std::unique_ptr<OpenOrgan> organ;
-  Session session;
-};
-Body make(const Graded& graded, const Config& config) {
-  Body out = {packed(*graded_organ(graded)), {}};
-  out.session = make_session(out.organ->organ, config);
-  return out;
-}
 
 void let_go(Session& session, int ticks) {
   for (int i = 0; i < ticks; ++i) (void)tick(session.kernel, Input{});
@@ -60,15 +51,6 @@ void each_node(const View& view, Visit visit) {
 }
 
 // Splits each cell with this probability, the same for the same cell.
-std::function<bool(std::uint32_t, int, int, int)> at_random(unsigned seed, double probability) {
-  return [=](std::uint32_t level, int x, int y, int z) {
-    std::seed_seq place = {seed, level, static_cast<unsigned>(x), static_cast<unsigned>(y),
-                           static_cast<unsigned>(z)};
-    std::mt19937 random(place);
-    return std::bernoulli_distribution(probability)(random);
-  };
-}
-
 // A linear displacement is a state of no force within, whatever the levels.
 TEST(Graded, PatchTest) {
   for (unsigned seed = 1; seed <= 9; ++seed) {
@@ -283,27 +265,12 @@ Config with_unit(float unit_m) {
   return config;
 }
 
-// The forces of an insertion, a pause, a pull to the side and the way out.
 std::vector<Vec3> felt_n(const Graded& graded) {
   const Config config = with_unit(2.5e-3F);
   Body body = make(graded, config);
-  const Script script = script_of(graded, config);
-  std::vector<Vec3> felt;
-  for (std::uint64_t i = 0; i < kCycleTicks; ++i) {
-    felt.push_back(tick(body.session.kernel, scripted_input(script, i)).force_n);
-  }
+  std::vector<Vec3> felt = felt_n(body.session.kernel, script_of(graded, config));
   EXPECT_GT(view_of(body.session.kernel).state.needle->shaft_max, 5U);
   return felt;
-}
-
-double off(const std::vector<Vec3>& felt, const std::vector<Vec3>& wanted) {
-  double difference = 0, all = 0;
-  for (std::size_t i = 0; i < felt.size(); ++i) {
-    const Vec3 d = felt[i] - wanted[i];
-    difference += static_cast<double>(dot(d, d));
-    all += static_cast<double>(dot(wanted[i], wanted[i]));
-  }
-  return std::sqrt(difference / all);
 }
 
 // Fine around the needle alone (10 mm to each side) it feels what it would feel if all were fine.
@@ -462,12 +429,7 @@ std::string refusal_of(const std::function<void(Owner&)>& change, std::uint16_t 
   graded.split = [](std::uint32_t, int, int, int z) { return z == 0; };
   const std::unique_ptr<Owner> owner = graded_organ(graded);
   change(*owner);
-  const std::vector<std::byte> bytes = bytes_of(*owner);
-  Organ organ;
-  OrganRefusal refusal;
-  if (organ_open(bytes, organ, &refusal) == Status::kOk) return "";
-  return std::string(refusal.place) + "[" + std::to_string(refusal.index) +
-         "]: " + refusal.expected;
+  return refusal_text(*owner);
 }
 
 TEST(Graded, RefusedWithTheirPlace) {

@@ -325,12 +325,7 @@ std::string refusal_of(const std::function<void(Owner&)>& change, std::uint16_t 
   owner->sheets->parts.emplace_back(0, 0, 0, 0, kLeft);
   owner->sheets->parts.emplace_back(1, 0, 0, 0, kLeft);
   change(*owner);
-  const std::vector<std::byte> bytes = bytes_of(*owner);
-  Organ organ;
-  OrganRefusal refusal;
-  if (organ_open(bytes, organ, &refusal) == Status::kOk) return "";
-  return std::string(refusal.place) + "[" + std::to_string(refusal.index) +
-         "]: " + refusal.expected;
+  return refusal_text(*owner);
 }
 
 TEST(Sheets, RefusedWithTheirPlace) {

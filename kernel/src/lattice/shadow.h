@@ -14,8 +14,8 @@
 // that of f, exactly. A constant velocity stays what it is: at a shadow of level 0 the mobility is
 // less by what finer levels add.
 //
-// Stability: the largest eigenvalue of a sum is at most the sum of theirs. Half of the limit or
-// more is level 0's, the others share the rest. A cell's bound b (filter.h) as a form of the
+// Stability: the largest eigenvalue of a sum is at most the sum of theirs. Most of the limit is
+// level 0's, the others share the rest. A cell's bound b (filter.h) as a form of the
 // corners of the cell that holds it is at most half of theirs with twice b: eight children with the
 // same b give exactly that, and a child that is missing or softer gives less. Where a cell's
 // corners do not follow from those of the cell that holds it (attached and tied nodes), its bound

@@ -277,9 +277,10 @@ void fill_bounds(Plan& plan, float limit_per_s2) {
   fill_cells(plan);
   fill_own_kg(plan);
   const std::uint32_t levels = plan.organ.levels;
-  const float each = limit_per_s2 / static_cast<float>(levels + 1);
+  const float coarse = coarse_limit_per_s2(limit_per_s2, levels);
+  const float each = (limit_per_s2 - coarse) / static_cast<float>(levels - 1);
   for (std::uint32_t level = levels - 1; level > 0; --level) fill_level(plan, level, each);
-  fill_coarse(plan, coarse_limit_per_s2(limit_per_s2, levels));
+  fill_coarse(plan, coarse);
   fill_own_kg(plan);
 }
 

@@ -10,6 +10,10 @@
 namespace stylet {
 namespace {
 
+// Part of the step's limit that is the coarsest level's. With less its filter needs more passes, or
+// mass where seven are not enough; with more the finer levels' short waves are slower still.
+constexpr float kCoarsePart = 0.8F;
+
 // A shadow is the same in all sheets.
 ShadowNode shadow_at(const Organ& organ, const LevelPlace& at) {
   return as_in_file<ShadowNode>(organ, {at.level, 0, at.x, at.y, at.z});
@@ -215,7 +219,7 @@ Shares down_shares(const Plan& plan, std::uint32_t level) {
 }
 
 float coarse_limit_per_s2(float limit_per_s2, std::uint32_t levels) {
-  return 2 * limit_per_s2 / static_cast<float>(levels + 1);
+  return levels > 1 ? kCoarsePart * limit_per_s2 : limit_per_s2;
 }
 
 void count_shadows(const Organ& organ, std::uint64_t fine, Counts& counts_io) {
