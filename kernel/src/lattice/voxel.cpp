@@ -127,6 +127,9 @@ std::uint32_t level_around(const Model& model, Vec3 rest_m) {
   return level;
 }
 
+// How far within its cell a place is moved, in edges: on a face it could be either cell's.
+constexpr float kInset = 1.0F / 16;
+
 // Where a cell around a place belongs to another level: the coarser voxel that holds it, or of the
 // finer ones in it the one that is nearest to the place.
 bool voxel_across(const Model& model, const Around& around, std::int32_t corner,
@@ -134,7 +137,6 @@ bool voxel_across(const Model& model, const Around& around, std::int32_t corner,
   const ModelHead& head = *model.head;
   const Cell cell = around.cell(corner);
   // The cell's point nearest to the place, but within the cell.
-  constexpr float kInset = 1.0F / 16;
   const auto nearest = [](float f, bool high) {
     return high ? max_of(f - 0.5F, kInset) : min_of(f + 0.5F, 1 - kInset);
   };
