@@ -17,6 +17,7 @@
 
 #include "base/lanes.h"
 #include "lattice/filter_passes.h"
+#include "lattice/graded_passes.h"
 #include "lattice/lattice.h"
 #include "lattice/match_lanes.h"
 #include "lattice/matches.h"
