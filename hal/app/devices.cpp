@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -92,6 +93,9 @@ Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::D
                  {"buttons_seen", probe.buttons_seen},
                  {"fault", hal::fault_name(probe.fault)},
                  {"pushes", Json::array()}};
+  if (probe.refused != hal::Refusal::kNone) {
+    record["refused"] = hal::refusal_name(probe.refused);
+  }
   for (std::size_t i = 0; i < probe.push.size(); ++i) {
     if (!(probe.push[i].force_n > 0)) continue;
     record["pushes"].push_back({{"way", kWays[i]},
@@ -122,6 +126,8 @@ void tell(const Json& r) {
   fmt::print("moved     from {} to {} mm\n", short_of(r["low_mm"]), short_of(r["high_mm"]));
   if (r.contains("about")) fmt::print("about     {}\n", r["about"].get<std::string>());
   fmt::print("buttons   pressed: {:#b}\n", r["buttons_seen"].get<std::uint32_t>());
+  fmt::print("fault     {}{}\n", r["fault"].get<std::string>(),
+             r.contains("refused") ? ": " + r["refused"].get<std::string>() : "");
   for (const Json& push : r["pushes"]) {
     fmt::print("push {}   {:.2f} N: the hand {}\n", push["way"].get<std::string>(),
                push["force_n"].get<double>(), push["hand"].get<std::string>());
@@ -167,9 +173,12 @@ int list_devices(const DevicesOptions& options) {
     fmt::print("{}\n", out.dump(2));
     return kExitOk;
   }
+  std::size_t width = 0;
+  for (const hal::DeviceSighting& each : all) width = std::max(width, each.uri.size());
   for (const hal::DeviceSighting& each : all) {
-    fmt::print("{:<13}{:<8}{}: {}\n", each.uri, each.ready ? "ready" : "no", each.name, each.seen);
-    if (!each.remedy.empty()) fmt::print("{:>24}{}\n", "-> ", each.remedy);
+    fmt::print("{:<{}} {:<6}{}: {}\n", each.uri, width, each.ready ? "ready" : "no", each.name,
+               each.seen);
+    if (!each.remedy.empty()) fmt::print("{:>{}}{}\n", "-> ", width + 11, each.remedy);
   }
   fmt::print(
       "\nSome things show only when a device is opened, such as its calibration: stylet devices "

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "hal/app/terminal.h"
 #include "hal/device/device.h"
 #include "hal/guard/fault_mailbox.h"
 
@@ -33,6 +34,13 @@ inline bool enter_was_pressed() {
   return read(STDIN_FILENO, typed.data(), typed.size()) > 0;
 }
 
+// Why the samples were not used, and for how long; empty: the fault is not theirs.
+inline std::string words_of(const hal::FaultCause& cause) {
+  if (cause.why == hal::Refusal::kNone) return "";
+  return fmt::format(" ({}: {:.1f} ms, allowed {:.1f} ms)", hal::refusal_name(cause.why),
+                     cause.for_us * 1e-3, cause.allowed_us * 1e-3);
+}
+
 class FaultDesk {
  public:
   // One device for each box; both must outlive this. Notes that devices have now are not retold.
@@ -42,6 +50,7 @@ class FaultDesk {
         names_(std::move(names)),
         devices_(devices),
         told_(names_.size()),
+        clears_itself_(names_.size()),
         away_(names_.size()) {
     for (const hal::Device& each : devices_) noted_.push_back(hal::note_of(each));
   }
@@ -49,10 +58,10 @@ class FaultDesk {
   void look() {
     const bool enter = enter_was_pressed();
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      const hal::LatchedFault latched = boxes_[i].latched.load(std::memory_order_relaxed);
+      const hal::LatchedFault latched = boxes_[i].latched.load(std::memory_order_acquire);
       // Enter pressed before a fault was told does not count for it.
       const bool known = latched == told_[i];
-      if (!known) tell(i, latched.fault);
+      if (!known) tell(i, latched.fault, boxes_[i].cause.load(std::memory_order_relaxed));
       told_[i] = latched;
       tell_of_device(i);
       if (!enter || !known || latched.number == 0) continue;
@@ -68,13 +77,22 @@ class FaultDesk {
 
  private:
   void say(std::size_t i, const std::string& what) const {
-    fmt::print(stderr, "\r\033[Kstylet: {}: {}\n", names_[i], what);
+    if (terminal_rewrites_lines()) rewrite_line("");
+    fmt::print(stderr, "stylet: {}: {}\n", names_[i], what);
   }
-  void tell(std::size_t i, hal::Fault latched) const {
-    // By Enter, by a button of the device, or because it ended before the first force.
-    if (latched == hal::Fault::kNone) return say(i, "no fault any more: forces fade in");
-    say(i, fmt::format("{}: no force until it is acknowledged{}", hal::fault_name(latched),
-                       reads_a_terminal() ? ": Enter" : ""));
+  // Only what somebody did is called acknowledged.
+  void tell(std::size_t i, hal::Fault latched, const hal::FaultCause& cause) {
+    if (latched == hal::Fault::kNone) {
+      say(i, clears_itself_[i] ? "a usable sample came before any force: forces fade in"
+                               : "acknowledged: forces fade in");
+      return;
+    }
+    clears_itself_[i] = cause.clears_itself;
+    const char* const until = cause.clears_itself  ? "it gives a usable sample"
+                              : reads_a_terminal() ? "it is acknowledged: Enter"
+                                                   : "it is acknowledged";
+    say(i,
+        fmt::format("{}{}: no force until {}", hal::fault_name(latched), words_of(cause), until));
   }
 
   // Tells what is wrong with the device when that changes, and when the device is well again.
@@ -92,6 +110,7 @@ class FaultDesk {
   std::vector<std::string> names_;
   std::span<const hal::Device> devices_;
   std::vector<hal::LatchedFault> told_;
+  std::vector<bool> clears_itself_;        // what was last told of
   std::vector<std::string> away_, noted_;  // what was last told of each device
   bool asked_ = false;
 };

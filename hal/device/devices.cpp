@@ -86,7 +86,8 @@ Device open_lasting_device(const std::string& uri, double patience_s) {
     again = uri.substr(0, rest) + driver->same(uri.substr(rest), device.info.identity);
   }
   return lasting_device(device, {.open = [again] { return open_device(again, kAgainPatienceS); },
-                                 .may_open = driver->may_open_again});
+                                 .may_open = driver->may_open_again,
+                                 .uri = again});
 }
 
 }  // namespace stylet::hal

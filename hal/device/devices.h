@@ -23,6 +23,8 @@ constexpr std::int64_t kLongestDevicePeriodNs = kOrderFreshNs / 2;
 // SCHED_FIFO priority of threads that talk to devices: above the loop's.
 constexpr int kDevicePriority = 90;
 
+// Of open: begins with the device's URI, "SCHEME:REST: what is wrong: what to do". What a device
+// tells later (trouble, note) does not: whoever tells it says which device.
 struct DeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

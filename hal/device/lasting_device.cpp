@@ -106,12 +106,15 @@ std::string stranger(const DeviceInfo& now, const Lasting& lasting) {
     const auto called = [](const std::string& id) {
       return id.empty() ? "one without a name" : id;
     };
-    return fmt::format("{} is there instead of {}: end the run and start it again",
-                       called(now.identity), called(lasting.identity));
+    return fmt::format(
+        "{} is there instead of {}: connect that one again, or end the run and start it again",
+        called(now.identity), called(lasting.identity));
   }
   if (!renders_less(now, lasting.info)) return "";
-  return fmt::format("{} is there instead, which renders less: end the run and start it again",
-                     now.name);
+  return fmt::format(
+      "{} is there instead, which renders less: connect the first one again, or end the run and "
+      "start it again",
+      now.name);
 }
 
 bool may_open(const Lasting& lasting) {
@@ -131,7 +134,8 @@ std::string open_again(Lasting& lasting) try {
   lasting.lent.store(lasting.device.get());
   return "";
 } catch (const std::exception& error) {
-  return error.what();
+  const std::string why = error.what(), prefix = lasting.reopening.uri + ": ";
+  return why.starts_with(prefix) ? why.substr(prefix.size()) : why;
 }
 
 void tell(Lasting& lasting, std::string& trouble, std::string& note) {

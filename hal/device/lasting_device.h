@@ -11,6 +11,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "hal/device/device.h"
 
@@ -24,6 +25,8 @@ struct Reopening {
   bool (*may_open)() = nullptr;  // false: opening or closing now would disturb another one
   double first_try_s = kFirstTryS;
   double longest_try_s = kLongestTryS;
+  // Left out at the beginning of an error of `open`: who tells it says which device.
+  std::string uri = {};
 };
 // Takes over `first`, which is open.
 Device lasting_device(const Device& first, const Reopening& reopening);

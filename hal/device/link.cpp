@@ -36,9 +36,10 @@ struct Udp {
   sockaddr_in peer = {};
   sockaddr_in speaker = {};   // who sent the packet received last
   std::int64_t heard_ns = 0;  // when the peer was heard last
+  std::atomic<bool> refused{false};
 };
 
-sockaddr_in parse_address(const std::string& where, bool needs_address) {
+sockaddr_in parse_address(const std::string& where, const std::string& scheme, bool needs_address) {
   const std::size_t colon = where.rfind(':');
   const std::string address =
       colon == std::string::npos ? (needs_address ? "" : "127.0.0.1") : where.substr(0, colon);
@@ -49,20 +50,26 @@ sockaddr_in parse_address(const std::string& where, bool needs_address) {
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), number);
   if (inet_pton(AF_INET, address.c_str(), &result.sin_addr) != 1 || error != std::errc() ||
       end != port.data() + port.size() || number == 0) {
-    throw DeviceError(fmt::format("udp:{}: expected {}", where,
-                                  needs_address ? "ADDRESS:PORT, as 192.168.0.5:7755"
-                                                : "a port, as udp:7755, or ADDRESS:PORT"));
+    throw DeviceError(fmt::format(
+        "{}:{}: expected {}", scheme, where,
+        needs_address ? "ADDRESS:PORT, as 192.168.0.5:7755" : "a port, as 7755, or ADDRESS:PORT"));
   }
   result.sin_port = htons(number);
   return result;
 }
 
+// The answer to an earlier packet is reported by the next call, whichever that is.
+void note_refused(Udp& udp, ssize_t result) {
+  if (result < 0 && errno == ECONNREFUSED) udp.refused.store(true, std::memory_order_relaxed);
+}
+
 void udp_send(void* self, std::span<const std::byte> packet) {
-  const Udp& udp = *static_cast<const Udp*>(self);
+  Udp& udp = *static_cast<Udp*>(self);
   if (udp.peer.sin_port == 0) return;
   // A packet that cannot be sent counts as lost.
-  (void)sendto(udp.socket, packet.data(), packet.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
-               reinterpret_cast<const sockaddr*>(&udp.peer), sizeof udp.peer);
+  const ssize_t sent = sendto(udp.socket, packet.data(), packet.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
+                              reinterpret_cast<const sockaddr*>(&udp.peer), sizeof udp.peer);
+  note_refused(udp, sent);
 }
 
 std::optional<std::size_t> udp_receive(void* self, std::span<std::byte> room) {
@@ -73,7 +80,9 @@ std::optional<std::size_t> udp_receive(void* self, std::span<std::byte> room) {
                                reinterpret_cast<sockaddr*>(&from), &size);
   const bool nothing = got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
   if (nothing) return std::nullopt;
+  note_refused(udp, got);
   if (got <= 0) return 0;  // empty, or the error of an earlier send, reported here
+  udp.refused.store(false, std::memory_order_relaxed);
   // Only one peer is served, until nothing has come from it for a while.
   const bool peer =
       from.sin_addr.s_addr == udp.peer.sin_addr.s_addr && from.sin_port == udp.peer.sin_port;
@@ -95,13 +104,18 @@ void udp_close(void* self) {
   ::close(udp->socket);
 }
 
+std::string udp_trouble(void* self) {
+  const bool refused = static_cast<const Udp*>(self)->refused.load(std::memory_order_relaxed);
+  return refused ? "no program listens there: start it, or correct the port" : "";
+}
+
 Link udp_link(std::unique_ptr<Udp> udp) {
   return {udp.release(), udp_send, udp_receive, udp_answer, udp_close};
 }
 
-int udp_socket() {
+int udp_socket(const std::string& scheme) {
   const int made = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (made < 0) throw DeviceError(fmt::format("udp: no socket: {}", std::strerror(errno)));
+  if (made < 0) throw DeviceError(fmt::format("{}: no socket: {}", scheme, std::strerror(errno)));
   return made;
 }
 
@@ -188,32 +202,34 @@ int open_and_lock(const std::string& path, Side side) {
 
 }  // namespace
 
-Link udp_listen(const std::string& where) {
+Link udp_listen(const std::string& where, const std::string& scheme) {
   auto udp = std::make_unique<Udp>();
-  const sockaddr_in own = parse_address(where, false);
-  udp->socket = udp_socket();
+  const sockaddr_in own = parse_address(where, scheme, false);
+  udp->socket = udp_socket(scheme);
   if (bind(udp->socket, reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0) {
     const int error = errno;
     ::close(udp->socket);
-    throw DeviceError(fmt::format("udp:{}: {}: expected a port that is free, of this machine",
-                                  where, std::strerror(error)));
+    throw DeviceError(fmt::format("{}:{}: {}: expected a port that is free, of this machine",
+                                  scheme, where, std::strerror(error)));
   }
   return udp_link(std::move(udp));
 }
 
-Link udp_connect(const std::string& where) {
+Link udp_connect(const std::string& where, const std::string& scheme) {
   auto udp = std::make_unique<Udp>();
-  udp->peer = parse_address(where, true);
-  udp->socket = udp_socket();
+  udp->peer = parse_address(where, scheme, true);
+  udp->socket = udp_socket(scheme);
   // Receives from nobody else: the system drops what comes from other addresses.
   if (connect(udp->socket, reinterpret_cast<const sockaddr*>(&udp->peer), sizeof udp->peer) != 0) {
     const int error = errno;
     ::close(udp->socket);
     throw DeviceError(
-        fmt::format("udp:{}: {}: expected the address of a machine that can be reached", where,
-                    std::strerror(error)));
+        fmt::format("{}:{}: {}: expected the address of a machine that can be reached", scheme,
+                    where, std::strerror(error)));
   }
-  return udp_link(std::move(udp));
+  Link link = udp_link(std::move(udp));
+  link.trouble = udp_trouble;
+  return link;
 }
 
 Link shared_memory(const std::string& name, Side side) {

@@ -26,9 +26,11 @@ struct Link {
 };
 
 // Stylet's side, waiting at "7755" (this machine only) or "ADDRESS:7755"; sends as `answer` says.
-Link udp_listen(const std::string& where);
-// The device's side, sending to "ADDRESS:PORT".
-Link udp_connect(const std::string& where);
+// `scheme`: whose URI it is, for messages.
+Link udp_listen(const std::string& where, const std::string& scheme = "udp");
+// The side that sends to "ADDRESS:PORT". Its `trouble` says when the machine there has answered
+// that no program listens, as long as no packet comes after that.
+Link udp_connect(const std::string& where, const std::string& scheme = "udp");
 
 // Two slots in /dev/shm/stylet.NAME, one in each direction. Stylet's side makes the file or empties
 // an existing one; the device's side opens it and may keep it open over several runs.

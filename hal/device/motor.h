@@ -54,6 +54,7 @@ struct MotorReport {
   Vec3 torque_nm = {};
   std::uint32_t arming = 0;  // of the newest order
   bool stopped = false;      // orders of this arming no longer move anything
+  bool failed = false;       // because the device has failed
 };
 
 struct MotorState {

@@ -18,6 +18,7 @@ MotorReport Relay::order(std::int64_t now_ns) {
   const bool ending = ending_.load(std::memory_order_relaxed) || resting_.load();
   const MotorCut cut = failed() ? MotorCut::kNow : ending ? MotorCut::kFade : MotorCut::kNone;
   motor_step(limits, motor_, order_, cut, now_ns);
+  motor_.report.failed = failed();
   reports_.publish(motor_.report);
   return motor_.report;
 }
@@ -42,8 +43,8 @@ void Relay::fail(std::uint32_t why) {
 
 bool Relay::read(std::int64_t now_ns, Sample& sample_out) {
   tick_ns_ = now_ns;
-  (void)samples_.take(newest_);
-  if (failed() || newest_.seq == 0 || now_ns - newest_.t_ns > kQuietNs) return false;
+  if (samples_.take(newest_)) new_ns_ = now_ns;
+  if (failed() || newest_.seq == 0 || now_ns - new_ns_ > kQuietNs) return false;
   sample_out = newest_;
   return true;
 }

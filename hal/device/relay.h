@@ -6,8 +6,8 @@
 // stopped (motor.h). fail() is for good: no sample and no force comes through any more, so that a
 // device that recovers by itself does not push. end(): the present force fades. rest(): it fades,
 // and comes back when somebody has acknowledged after the rest. A device that has shown nothing new
-// for kQuietNs counts as one that does not answer. Promises: wait-free, no allocation, no system
-// call; one thread on each side. Units: SI.
+// for kQuietNs (device.h) counts as one that does not answer. Promises: wait-free, no allocation,
+// no system call; one thread on each side. Units: SI.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,6 @@
 
 namespace stylet::hal {
 
-constexpr std::int64_t kQuietNs = 20'000'000;
 // How long closing a device waits for its force to fade.
 constexpr std::chrono::milliseconds kFadeTime(25);
 
@@ -66,6 +65,7 @@ class Relay {
   Sample newest_ = {};        // used by the loop
   MotorReport report_ = {};   // used by the loop
   std::int64_t tick_ns_ = 0;  // used by the loop
+  std::int64_t new_ns_ = 0;   // used by the loop: tick that took the newest sample
 };
 
 // The device as the loop sees it, made from anything that has a member `relay`.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hal/base/vector.h"
+#include "hal/guard/fault_mailbox.h"
 
 namespace stylet::hal {
 namespace {
@@ -72,6 +73,7 @@ void tick(Probing& p, Vec3 force_n, DeviceProbe& out) {
   (void)guard_force(p.guard, p.state, force_n);
   p.device.write(p.device.self, guard_command(p.guard, p.state, guard_start()));
   out.fault = p.state.fault;
+  out.refused = cause_of(p.state).why;
 }
 
 // A triangle of force, up and down; the hand's motion is taken at the top.

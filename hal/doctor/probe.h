@@ -31,6 +31,7 @@ struct DeviceProbe {
   std::uint32_t buttons_seen = 0;     // pressed at least once
   std::array<PushSeen, 6> push = {};  // along +x, -x, +y, ...; no force: not requested
   Fault fault = Fault::kNone;
+  Refusal refused = Refusal::kNone;  // why the samples were not used that caused the fault
 };
 
 // Ticks the device a thousand times a second: `seconds` without force; then, if `pushes`, half a

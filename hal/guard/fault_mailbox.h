@@ -10,6 +10,7 @@
 // Promises: wait-free, no allocation, no system call.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 
@@ -25,6 +26,28 @@ struct alignas(std::uint64_t) LatchedFault {
   bool operator==(const LatchedFault&) const = default;
 };
 
+// What a person should know of the latched fault besides its name.
+struct alignas(std::uint64_t) FaultCause {
+  Refusal why = Refusal::kNone;  // of the samples, if the fault is theirs
+  bool clears_itself = false;
+  std::uint16_t allowed_us = 0;  // the watchdog
+  std::uint32_t for_us = 0;      // how late the sample was, or the time without a usable one
+};
+
+inline FaultCause cause_of(const GuardState& guard) {
+  if (guard.fault == Fault::kNone) return {};
+  const bool of_samples = guard.fault == Fault::kStaleSamples ||
+                          guard.fault == Fault::kDeviceSilent ||
+                          (guard.fault == Fault::kTooFast && guard.refused.why == Refusal::kJumped);
+  const RefusedSamples refused = of_samples ? guard.refused : RefusedSamples{};
+  const auto us = [](std::int64_t ns, std::int64_t most) {
+    return std::clamp<std::int64_t>(ns / 1000, 0, most);
+  };
+  return {refused.why, guard_clears_itself(guard),
+          static_cast<std::uint16_t>(us(refused.allowed_ns, UINT16_MAX)),
+          static_cast<std::uint32_t>(us(refused.for_ns, UINT32_MAX))};
+}
+
 inline LatchedFault latched_fault(const GuardState& guard) {
   if (guard.fault == Fault::kNone) return {};
   return {guard.fault, static_cast<std::uint32_t>(guard.counters.faults)};
@@ -32,9 +55,11 @@ inline LatchedFault latched_fault(const GuardState& guard) {
 
 struct FaultMailbox {
   std::atomic<LatchedFault> latched{};  // the loop writes it
+  std::atomic<FaultCause> cause{};      // likewise, before `latched`
   std::atomic<LatchedFault> seen{};     // the loop takes it
 };
 static_assert(std::atomic<LatchedFault>::is_always_lock_free);
+static_assert(std::atomic<FaultCause>::is_always_lock_free);
 
 // Called by the loop at the end of every tick.
 inline void exchange_mail(FaultMailbox& mailbox, GuardState& guard) {
@@ -42,7 +67,8 @@ inline void exchange_mail(FaultMailbox& mailbox, GuardState& guard) {
     const LatchedFault seen = mailbox.seen.exchange({}, std::memory_order_relaxed);
     if (seen.number != 0 && seen == latched_fault(guard)) (void)guard_rearm(guard, seen.fault);
   }
-  mailbox.latched.store(latched_fault(guard), std::memory_order_relaxed);
+  mailbox.cause.store(cause_of(guard), std::memory_order_relaxed);
+  mailbox.latched.store(latched_fault(guard), std::memory_order_release);
 }
 
 }  // namespace stylet::hal

@@ -195,7 +195,8 @@ void guard_motor(GuardState& state, const MotorReport& report) {
   }
   const bool nothing_left = wide_dot(state.force_n, state.force_n) == 0;
   if (!is_latched(state.mode)) {
-    guard_trip(state, Fault::kForceExpired);
+    if (report.failed) state.refused = {};
+    guard_trip(state, report.failed ? Fault::kDeviceSilent : Fault::kForceExpired);
   } else if (state.mode == GuardMode::kFading && nothing_left) {
     state.mode = GuardMode::kFault;
   } else if (state.mode == GuardMode::kFading) {
@@ -302,6 +303,7 @@ bool guard_rearm(GuardState& state, Fault seen) {
   if (!named || state.mode != GuardMode::kFault || state.blind_ns != 0) return false;
   state.mode = GuardMode::kLetGo;
   state.fault = Fault::kNone;
+  state.refused = {};
   state.button_seen = 0;
   state.energy.energy_j = std::max(state.energy.energy_j, 0.0);
   ++state.arming;

@@ -55,7 +55,7 @@ enum class Fault : std::uint32_t {
   kNone = 0,
   kForceNotFinite = 1,  // the kernel asked for NaN or an infinity
   kStaleSamples = 2,    // the device answers, but with nothing new or nothing usable
-  kDeviceSilent = 3,    // the device does not answer
+  kDeviceSilent = 3,    // the device does not answer, or has failed
   kTooLate = 4,         // the loop missed too many ticks
   kKernelFault = 5,     // the kernel latched a fault of its own
   kTooFast = 6,         // the device moved faster than a hand can, or its samples jump
@@ -65,6 +65,18 @@ enum class Fault : std::uint32_t {
 };
 constexpr Fault kLastFault = Fault::kForceExpired;
 const char* fault_name(Fault fault);
+
+// Why a sample was not used. Those after kRepeated are of samples that were new.
+enum class Refusal : std::uint8_t {
+  kNone,
+  kSilent,
+  kRepeated,
+  kLate,
+  kNotFinite,
+  kAbsurd,
+  kJumped
+};
+const char* refusal_name(Refusal refusal);
 
 // Numbers are part of recordings.
 enum class GuardMode : std::uint32_t {
@@ -136,15 +148,24 @@ struct BuzzDetector {
   std::int64_t ns;      // since the last one
 };
 
+// The newest new sample that was refused since the last used one, or that there was none. It stays
+// as it was when a fault was latched.
+struct RefusedSamples {
+  Refusal why;
+  std::int64_t for_ns;      // how late it was, or the time without a usable one
+  std::int64_t allowed_ns;  // the watchdog
+};
+
 struct GuardState {
   GuardMode mode;
   Fault fault;           // latched
   std::uint32_t arming;  // grows with each arming: older orders move nothing
   std::uint32_t have_time;
-  std::int64_t now_ns;     // of the newest tick
-  std::int64_t step_ns;    // between it and the tick before; 0: the clock stands still
-  std::int64_t lost_ns;    // lost by late ticks, less what was made up for
-  std::int64_t blind_ns;   // without a usable sample
+  std::int64_t now_ns;    // of the newest tick
+  std::int64_t step_ns;   // between it and the tick before; 0: the clock stands still
+  std::int64_t lost_ns;   // lost by late ticks, less what was made up for
+  std::int64_t blind_ns;  // without a usable sample
+  RefusedSamples refused;
   std::int64_t jumped_ns;  // of samples that jumped, less a part of that of usable ones
   std::int64_t ramp_ns;    // since arming
   std::int64_t fade_ns;    // since the fault, or since the button was released
@@ -177,8 +198,11 @@ GuardState guard_start();
 void guard_resume(const GuardConfig& config, GuardState& state, std::int64_t idle_ns);
 
 // Takes the force that the motors have, if the device reports it; call this before guard_sample.
-// Motors that have stopped by themselves latch a fault.
+// Motors that have stopped by themselves latch a fault, which says whether their device has failed.
 void guard_motor(GuardState& state, const MotorReport& report);
+
+// Whether what is latched ends with the next usable sample: a fault of time before the first force.
+bool guard_clears_itself(const GuardState& state);
 
 // Whether the force can only fall: it is fading, or there is none.
 bool guard_withdraws_force(const GuardState& state);

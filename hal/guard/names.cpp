@@ -30,6 +30,26 @@ const char* fault_name(Fault fault) {
   return "unknown fault";
 }
 
+const char* refusal_name(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::kNone:
+      return "used";
+    case Refusal::kSilent:
+      return "nothing came";
+    case Refusal::kRepeated:
+      return "nothing new";
+    case Refusal::kLate:
+      return "late";
+    case Refusal::kNotFinite:
+      return "not finite";
+    case Refusal::kAbsurd:
+      return "not a place within 10 m, or no rotation";
+    case Refusal::kJumped:
+      return "jumped";
+  }
+  return "unknown refusal";
+}
+
 const char* mode_name(GuardMode mode) {
   switch (mode) {
     case GuardMode::kLetGo:

@@ -35,37 +35,60 @@ bool jumped(const GuardConfig& config, const GuardState& state, Vec3 position_m)
   return state.have_pose != 0 && wide_length(position_m - state.pose_m) > most;
 }
 
+// A device may tell any time, so that whole numbers would overflow.
+double age_of(const Sample& sample, std::int64_t now_ns) {
+  return static_cast<double>(now_ns) - static_cast<double>(sample.t_ns);
+}
+
 // One rule a line; a fault of the sample is counted where it is found.
-Fault judge(const GuardConfig& config, GuardState& state, const Sample& sample,
-            std::int64_t now_ns) {
+Refusal judge(const GuardConfig& config, GuardState& state, const Sample& sample,
+              std::int64_t now_ns) {
   GuardCounters& count = state.counters;
   const bool repeated = state.have_seq != 0 && sample.seq <= state.seq;
   if (repeated || state.step_ns == 0) {  // nothing is new while no time passes
     ++count.samples_repeated;
-    return Fault::kStaleSamples;
+    return Refusal::kRepeated;
   }
   if (state.have_seq != 0) count.samples_lost += sample.seq - state.seq - 1;
   state.have_seq = 1;
   state.seq = sample.seq;
-  const double age_ns = static_cast<double>(now_ns) - static_cast<double>(sample.t_ns);
+  const double age_ns = age_of(sample, now_ns);
   if (age_ns > widened(config.watchdog_s) * 1e9 || age_ns < -static_cast<double>(kMaxLateNs)) {
     ++count.samples_old;
-    return Fault::kStaleSamples;
+    return Refusal::kLate;
   }
   if (!is_finite(sample.pose)) {
     ++count.samples_not_finite;
-    return Fault::kStaleSamples;
+    return Refusal::kNotFinite;
   }
   if (!plausible(sample.pose)) {
     ++count.samples_absurd;
-    return Fault::kStaleSamples;
+    return Refusal::kAbsurd;
   }
   if (jumped(config, state, sample.pose.position_m)) {
     ++count.samples_jumped;
-    if (!is_latched(state.mode)) return Fault::kTooFast;
+    if (!is_latched(state.mode)) return Refusal::kJumped;
     lose_sight(config, state.energy);  // without force the hand may come back anywhere
   }
-  return Fault::kNone;
+  return Refusal::kNone;
+}
+
+Fault fault_of(Refusal why) {
+  if (why == Refusal::kJumped) return Fault::kTooFast;
+  return why == Refusal::kSilent ? Fault::kDeviceSilent : Fault::kStaleSamples;
+}
+
+// A new sample that was refused says more than the ticks around it in which nothing new came: which
+// of them is the watchdog's last one is chance.
+void note_refused(const GuardConfig& config, GuardState& state, Refusal why, const Sample& sample,
+                  std::int64_t now_ns) {
+  const bool is_new = why > Refusal::kRepeated;
+  if (is_latched(state.mode) || (!is_new && state.refused.why > Refusal::kRepeated)) return;
+  const double late_ns =
+      std::clamp(age_of(sample, now_ns), 0.0, static_cast<double>(kBlindForEverNs));
+  const std::int64_t for_ns =
+      why == Refusal::kLate ? static_cast<std::int64_t>(late_ns) : state.blind_ns;
+  state.refused = {why, for_ns, in_ns(config.watchdog_s)};
 }
 
 void note_button(const GuardConfig& config, GuardState& state, std::uint32_t buttons) {
@@ -89,10 +112,7 @@ void follow_acknowledge_button(const GuardConfig& config, GuardState& state,
 // Nobody has felt anything yet, and the sample that has just come shows that the cause is gone, so
 // there is nothing to acknowledge. The force fades in from zero as always.
 void clear_before_any_force(GuardState& state) {
-  const Fault fault = state.fault;
-  const bool of_time = fault == Fault::kStaleSamples || fault == Fault::kDeviceSilent ||
-                       fault == Fault::kTooLate || fault == Fault::kForceExpired;
-  if (of_time && state.forced == 0) (void)guard_rearm(state, fault);
+  if (guard_clears_itself(state)) (void)guard_rearm(state, state.fault);
 }
 
 void trip_on_motion(const GuardConfig& config, GuardState& state) {
@@ -129,6 +149,7 @@ void use(const GuardConfig& config, GuardState& state, const Sample& sample) {
   state.have_pose = 1;
   state.pose_m = sample.pose.position_m;
   state.blind_ns = 0;
+  if (!is_latched(state.mode)) state.refused = {};
   state.jumped_ns = std::max<std::int64_t>(state.jumped_ns - state.step_ns / kJumpedPart, 0);
   ++state.counters.samples_used;
   clear_before_any_force(state);
@@ -137,6 +158,13 @@ void use(const GuardConfig& config, GuardState& state, const Sample& sample) {
 }
 
 }  // namespace
+
+bool guard_clears_itself(const GuardState& state) {
+  const Fault fault = state.fault;
+  const bool of_time = fault == Fault::kStaleSamples || fault == Fault::kDeviceSilent ||
+                       fault == Fault::kTooLate || fault == Fault::kForceExpired;
+  return of_time && state.forced == 0;
+}
 
 void guard_late(GuardState& state, std::int64_t late_ns) {
   if (late_ns >= kMaxLateNs) guard_trip(state, Fault::kTooLate);
@@ -154,19 +182,20 @@ bool guard_sample(const GuardConfig& config, GuardState& state, bool answered, c
   note_lost(config, state);
   state.force_due = state.torque_due = 1;
   state.due_ns += state.step_ns;
-  const Fault wrong = answered ? judge(config, state, sample, now_ns) : Fault::kDeviceSilent;
-  if (wrong == Fault::kNone) {
+  const Refusal why = answered ? judge(config, state, sample, now_ns) : Refusal::kSilent;
+  if (why == Refusal::kNone) {
     use(config, state, sample);
     return true;
   }
   if (!answered) ++state.counters.samples_missing;
   // If samples jump to and fro, every second one may be usable, so that the guard is never blind
   // for long; yet nobody knows where the hand is.
-  if (wrong == Fault::kTooFast) state.jumped_ns += state.step_ns;
-  if (state.jumped_ns > kMostJumpedNs) guard_trip(state, wrong);
+  if (why == Refusal::kJumped) state.jumped_ns += state.step_ns;
   state.blind_ns = std::min(state.blind_ns + forced_step_ns(config, state), kBlindForEverNs);
+  note_refused(config, state, why, sample, now_ns);
+  if (state.jumped_ns > kMostJumpedNs) guard_trip(state, Fault::kTooFast);
   if (is_over(config, state.blind_ns, config.watchdog_s)) {
-    guard_trip(state, wrong);
+    guard_trip(state, fault_of(state.refused.why));
     lose_sight(config, state.energy);
   }
   return false;

@@ -180,6 +180,8 @@ std::string fit_to_device(const DeviceInfo& info, Hand& hand) {
   if (info.model != nullptr) told += fmt::format(", taken for \"{}\"", info.model->name);
   if (!(info.max_force_n > 0)) return told + ": no force";
   told += ": " + told_of_force(scenes, hand) + told_of_heat_and_stiffness(info, scenes, hand);
+  told += fmt::format(", watchdog {:.3g} ms ({})", of(hand.guard.watchdog_s) * 1e3,
+                      scenes.guard.watchdog_s < hand.guard.watchdog_s ? "device" : "scene");
   if (info.model != nullptr) told += told_of_energy(*info.model, hand.guard);
   return told;
 }

@@ -647,23 +647,27 @@ uri = "hd:Right"
         self.assertIn(done.returncode, (0, 3), done.stderr)  # 3: this machine was late
         self.assertGreater(json.loads(record.read_text())["samples"], 100)
 
-    def keep_sending(self, port, silent, done):
-        """Samples of a device at rest, a thousand a second, but while it is told to be silent."""
+    def keep_sending(self, port, silent, done, goes=None):
+        """Samples of a device, a thousand a second, but while it is told to be silent; it rests
+        until it is told to go 30 mm into the tissue."""
         spec = importlib.util.spec_from_file_location("example_client", self.CLIENT)
         client = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(client)
-        seq = 0
+        seq, way_m = 0, 0
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as link:
             while not done.is_set():
                 seq += 1
+                if goes is not None and goes.is_set():
+                    way_m = min(way_m + 30e-6, 30e-3)
                 if not silent.is_set():
-                    packet = client.sample_packet(seq, time.monotonic_ns(), (0, 0, 0))
+                    packet = client.sample_packet(seq, time.monotonic_ns(), (0, 0, -way_m))
                     link.sendto(packet, ("127.0.0.1", port))
                 time.sleep(0.001)
 
     def test_fault_is_told_and_acknowledged_with_enter(self):
         port, silent, done = self.free_port(), threading.Event(), threading.Event()
-        sender = threading.Thread(target=self.keep_sending, args=(port, silent, done))
+        goes = threading.Event()
+        sender = threading.Thread(target=self.keep_sending, args=(port, silent, done, goes))
         sender.start()
         self.addCleanup(sender.join)
         self.addCleanup(done.set)
@@ -682,15 +686,41 @@ uri = "hd:Right"
         self.addCleanup(run.terminate)
         for line in run.stderr:
             if "waiting for" in line:
-                threading.Timer(2, silent.set).start()
+                threading.Timer(0.5, goes.set).start()
+                threading.Timer(2.5, silent.set).start()
             if "no force until it is acknowledged: Enter" in line:
+                self.assertIn("device silent (nothing came: 15.", line)
                 os.write(keys, b"\n")  # too early: the device is silent
                 threading.Timer(1, silent.clear).start()
             if "not acknowledged: it gives no usable sample yet" in line:
                 threading.Timer(0.5, os.write, (keys, b"\n")).start()
-            if "no fault any more: forces fade in" in line:
+            if "acknowledged: forces fade in" in line:
                 return
         self.fail("it was never acknowledged")
+
+    def test_fault_before_any_force_is_not_called_acknowledged(self):
+        port, silent, done = self.free_port(), threading.Event(), threading.Event()
+        sender = threading.Thread(target=self.keep_sending, args=(port, silent, done))
+        sender.start()
+        self.addCleanup(sender.join)
+        self.addCleanup(done.set)
+        run = subprocess.Popen(
+            [BIN / "stylet", "run", SCENE, "--organ", self.make_phantom(), "--device",
+             f"udp:{port}", "--allow-non-rt", "--duration-s", "60", "--flight",
+             self.top / "flight.h5", "--json"], stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.communicate)
+        self.addCleanup(run.terminate)
+        for line in run.stderr:
+            self.assertNotIn("acknowledged", line)
+            self.assertNotIn("\033", line, "no terminal reads it")
+            if "waiting for" in line:
+                threading.Timer(2, silent.set).start()
+            if "no force until it gives a usable sample" in line:
+                silent.clear()
+            if "a usable sample came before any force: forces fade in" in line:
+                return
+        self.fail("it never came back")
 
     def test_unknown_kind_of_device_is_refused(self):
         done = call("stylet", "run", SCENE, "--device", "phantom:", expect=1)

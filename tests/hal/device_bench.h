@@ -52,6 +52,7 @@ class Bench {
   bool fails = true;    // may stop answering; otherwise silence means rest
   bool turns = true;    // measures its whole rotation
   bool latches = true;  // after it came back it has no force until it is opened again
+  bool loses = true;    // a sample may be lost or late on its way, as a packet
 };
 using MakeBench = std::unique_ptr<Bench> (*)();
 

@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <random>
 
 #include "guard_desk.h"
+#include "hal/guard/fault_mailbox.h"
 #include "vectors.h"
 
 namespace stylet::hal {
@@ -198,6 +200,77 @@ TEST(GuardSample, GapsAreCounted) {
                              now_ns));
   }
   EXPECT_EQ(state.counters.samples_lost, 2U + 4U);
+}
+
+// A device that sends every second tick: which tick is the watchdog's last must not choose the
+// name.
+TEST(GuardSample, TheNewestNewSampleNamesTheFaultWhateverTheLastTickWas) {
+  struct Case {
+    Refusal why;
+    Fault fault;
+    std::function<void(Sample&)> spoil;
+  };
+  const Case cases[] = {
+      {Refusal::kNotFinite, Fault::kStaleSamples, [](Sample& s) { s.pose.position_m.x = kNan; }},
+      {Refusal::kAbsurd, Fault::kStaleSamples, [](Sample& s) { s.pose.position_m.x = 11; }},
+      {Refusal::kLate, Fault::kStaleSamples, [](Sample& s) { s.t_ns -= 50 * kMs; }},
+      {Refusal::kJumped, Fault::kTooFast, [](Sample& s) { s.pose.position_m.x = 0.1F; }},
+  };
+  for (const Case& each : cases) {
+    for (const int first : {1, 2}) {              // the ticks with something new are odd, or even
+      for (const bool answers : {false, true}) {  // in the others it is silent, or repeats
+        GuardState state = guard_start();
+        ASSERT_TRUE(guard_sample(plain(), state, true, sample(1), 0));
+        Sample newest = sample(1);
+        for (int tick = 1; tick <= 3; ++tick) {
+          const bool is_new = tick % 2 == first % 2;
+          if (is_new) {
+            newest = sample(static_cast<std::uint64_t>(tick) + 1, tick * kMs);
+            each.spoil(newest);
+          }
+          EXPECT_FALSE(guard_sample(plain(), state, is_new || answers, newest, tick * kMs));
+        }
+        EXPECT_EQ(state.fault, each.fault) << refusal_name(each.why) << first << answers;
+        EXPECT_EQ(state.refused.why, each.why) << first << answers;
+        EXPECT_EQ(state.refused.allowed_ns, 3 * kMs);
+        EXPECT_TRUE(each.why != Refusal::kLate || state.refused.for_ns == 50 * kMs);
+        const FaultCause cause = cause_of(state);
+        EXPECT_EQ(cause.why, each.why);
+        EXPECT_EQ(cause.allowed_us, 3000);
+        EXPECT_EQ(cause.clears_itself, each.fault == Fault::kStaleSamples);
+      }
+    }
+  }
+}
+
+TEST(GuardSample, ARefusedSampleOfAnEarlierFaultNamesNoLaterOne) {
+  GuardState state = guard_start();
+  ASSERT_TRUE(guard_sample(plain(), state, true, sample(1), 0));
+  state.forced = 1;
+  Sample wrong = sample(2, kMs);
+  wrong.pose.position_m.x = kNan;
+  EXPECT_FALSE(guard_sample(plain(), state, true, wrong, kMs));
+  for (int tick = 2; tick <= 3; ++tick) {
+    EXPECT_FALSE(guard_sample(plain(), state, false, {}, tick * kMs));
+  }
+  ASSERT_EQ(state.fault, Fault::kStaleSamples);
+  EXPECT_TRUE(guard_sample(plain(), state, true, sample(9, 4 * kMs), 4 * kMs));
+  EXPECT_EQ(state.refused.why, Refusal::kNotFinite) << "it can still be read";
+  ASSERT_TRUE(guard_rearm(state, Fault::kStaleSamples));
+  for (int tick = 5; tick <= 7; ++tick) {
+    EXPECT_FALSE(guard_sample(plain(), state, false, {}, tick * kMs));
+  }
+  EXPECT_EQ(state.fault, Fault::kDeviceSilent);
+}
+
+// Motors that stop because their driver failed have not expired: the cable is what to look at.
+TEST(GuardSample, MotorsOfAFailedDeviceAreCalledSilent) {
+  for (const bool failed : {false, true}) {
+    GuardState state = guard_start();
+    ASSERT_TRUE(guard_sample(plain(), state, true, sample(1), 0));
+    guard_motor(state, {.arming = state.arming, .stopped = true, .failed = failed});
+    EXPECT_EQ(state.fault, failed ? Fault::kDeviceSilent : Fault::kForceExpired);
+  }
 }
 
 TEST(GuardSample, WatchdogNamesWhatIsWrong) {

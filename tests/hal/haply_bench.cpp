@@ -101,6 +101,7 @@ HaplyService::HaplyService(int clients)
       events_(std::make_unique<Listener>()),
       thread_([this] { serve(); }),
       event_thread_([this] { serve_events(); }) {
+  loses = false;  // TCP sends again what is lost
   while (--clients > 0) more_.emplace_back([this] { serve(); });
 }
 

@@ -83,7 +83,7 @@ struct Factory {
     return *made.back();
   }
   Device lasting(bool (*may_open)() = nullptr) {
-    return lasting_device(open(), {[this] { return open(); }, may_open, 0.01, 0.08});
+    return lasting_device(open(), {[this] { return open(); }, may_open, 0.01, 0.08, "fake"});
   }
 };
 
@@ -169,7 +169,7 @@ TEST(LastingDevice, WaitsLongerEachTimeAndSaysWhy) {
   };
   ASSERT_TRUE(ticks_until(
       device, [&] { return tries() >= 7; }, seq));
-  EXPECT_EQ(trouble_of(device), "fake: not there");
+  EXPECT_EQ(trouble_of(device), "not there");
   Sample sample = {};
   EXPECT_FALSE(device.read(device.self, 0, sample));
   factory.refuses = false;
@@ -226,7 +226,7 @@ TEST(LastingDevice, AnotherDeviceIsRefusedAndNamed) {
     return ticks_until(
         device, [&] { return trouble_of(device).find(what) == 0; }, seq);
   };
-  EXPECT_TRUE(told("18 is there instead of 17"));
+  EXPECT_TRUE(told("18 is there instead of 17: connect that one again"));
   EXPECT_EQ(factory.newest().touched, 0);
   factory.identity = "17";
   EXPECT_TRUE(ticks_until(

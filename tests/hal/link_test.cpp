@@ -212,6 +212,40 @@ TEST(Udp, AnotherPeerIsIgnoredWhileTheFirstSends) {
   link.close(link.self);
 }
 
+// A driver of another scheme, and its user, are told of their own URI.
+TEST(Udp, MessagesNameTheSchemeThatWasAskedFor) {
+  for (const bool listens : {false, true}) {
+    try {
+      (void)(listens ? udp_listen("nowhere", "plumb") : udp_connect("nowhere", "plumb"));
+      ADD_FAILURE();
+    } catch (const DeviceError& error) {
+      EXPECT_EQ(std::string(error.what()).find("plumb:nowhere: expected "), 0U) << error.what();
+    }
+  }
+}
+
+TEST(Udp, TroubleTellsAClosedPortFromUselessPackets) {
+  const auto port = static_cast<std::uint16_t>(20000 + getpid() % 12000);
+  const Link link = udp_connect("127.0.0.1:" + std::to_string(port));
+  std::array<std::byte, kMaxPacketBytes> room = {};
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(link.trouble(link.self), "");
+    link.send(link.self, std::span(room).first(1));
+    usleep(10'000);
+    (void)link.receive(link.self, room);
+    EXPECT_NE(link.trouble(link.self).find("no program listens"), std::string::npos);
+    const Link there = udp_listen(std::to_string(port));
+    link.send(link.self, std::span(room).first(1));
+    ASSERT_EQ(there.receive(there.self, room), 1U);
+    there.answer(there.self);
+    there.send(there.self, std::span(room).first(1));
+    EXPECT_EQ(link.receive(link.self, room), 1U);
+    EXPECT_EQ(link.trouble(link.self), "") << "useless perhaps, but somebody is there";
+    there.close(there.self);
+  }
+  link.close(link.self);
+}
+
 // Empty datagrams and those of other peers, a thousand in any order, never hide one of the peer
 // that is served.
 TEST(Udp, DatagramsOfOthersDoNotEndTheReading) {

@@ -320,7 +320,8 @@ Seen run_session(std::uint64_t seed, const Backend& backend) {
   session.device.close(session.device.self);
   process = {};
   session.leave();
-  EXPECT_EQ(session.judge.broken, "") << backend.name << " seed " << seed;
+  EXPECT_EQ(session.judge.broken, "")
+      << backend.name << " seed " << seed << ", alone: " << alone(seed);
   const auto device_n = static_cast<double>(session.device.info.max_force_n);
   return {session.judge.strongest_n, device_n, session.acknowledgements};
 }

@@ -3,8 +3,11 @@
 // thread or machine that does nothing for a while.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "draw.h"
 #include "stylet/units.h"
@@ -15,6 +18,15 @@ namespace stylet::hal {
 constexpr std::int64_t kMs = 1'000'000;
 
 using test::number_from;
+
+// The command that runs this session of the current test by itself.
+inline std::string alone(std::uint64_t seed) {
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  return "STYLET_MOTOR_FIRST=" + std::to_string(seed) +
+         " STYLET_MOTOR_SESSIONS=1 build/release/bin/hal_motor_backends --gtest_filter=" +
+         test.test_suite_name() + "." + test.name();
+}
+
 using test::size;
 
 struct Draw : test::DoubleDraw {

@@ -259,7 +259,7 @@ int run_session(std::uint64_t seed, Pair pair) {
   for (OneHand& each : session.hand) each.device.close(each.device.self);
   for (std::size_t i = 0; i < kHands; ++i) {
     EXPECT_EQ(session.hand[i].judge.broken, "")
-        << name_of(pair) << " seed " << seed << " hand " << i;
+        << name_of(pair) << " seed " << seed << " hand " << i << ", alone: " << alone(seed);
   }
   return (session.hand[0].forced ? 1 : 0) + (session.hand[1].forced ? 1 : 0);
 }

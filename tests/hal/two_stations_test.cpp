@@ -206,14 +206,14 @@ TEST(TwoStations, AcknowledgedFaultOfTheStationLetsItSendAgain) {
   both.run(700);
   guard_trip(both.station.guard, Fault::kTooLate);
   both.run(100);
-  ASSERT_EQ(both.rig.state.hand[0].guard.fault, Fault::kStaleSamples);
+  ASSERT_EQ(both.rig.state.hand[0].guard.fault, Fault::kDeviceSilent);
   FaultMailbox mailbox;
   mailbox.seen = LatchedFault{Fault::kTooLate, 1};
   exchange_mail(mailbox, both.station.guard);
   EXPECT_EQ(mailbox.latched.load(), LatchedFault{});
   both.run(50);
   EXPECT_EQ(of(both.station.force_n), 0);
-  both.rig.state.mailbox[0].seen = LatchedFault{Fault::kStaleSamples, 1};
+  both.rig.state.mailbox[0].seen = LatchedFault{Fault::kDeviceSilent, 1};
   both.run(200);
   EXPECT_EQ(both.rig.state.hand[0].guard.fault, Fault::kNone);
   EXPECT_GT(of(both.ticks.back().force_n), 0.05);
@@ -284,7 +284,7 @@ TEST(TwoStations, StallEndsTheForceAndIsLatched) {
                      static_cast<unsigned>(from));
     both.run(from + 150);
     expect_nothing_stale(both.ticks);
-    EXPECT_EQ(both.rig.state.hand[0].guard.fault, Fault::kStaleSamples) << from;
+    EXPECT_EQ(both.rig.state.hand[0].guard.fault, Fault::kDeviceSilent) << from;
     for (std::size_t i = static_cast<std::size_t>(from) + 21; i < both.ticks.size(); ++i) {
       ASSERT_EQ(of(both.ticks[i].force_n), 0) << from << " tick " << i;
     }
@@ -294,8 +294,8 @@ TEST(TwoStations, StallEndsTheForceAndIsLatched) {
 TEST(TwoStations, AcknowledgedStallFadesBackIn) {
   TwoStations both({.delay_ns = 300'000, .stall_from_ns = 1700 * kMs, .stall_ns = 50 * kMs}, 3);
   both.run(900);
-  ASSERT_EQ(both.rig.state.hand[0].guard.fault, Fault::kStaleSamples);
-  ASSERT_TRUE(guard_rearm(both.rig.state.hand[0].guard, Fault::kStaleSamples));
+  ASSERT_EQ(both.rig.state.hand[0].guard.fault, Fault::kDeviceSilent);
+  ASSERT_TRUE(guard_rearm(both.rig.state.hand[0].guard, Fault::kDeviceSilent));
   both.run(200);
   EXPECT_GT(of(both.ticks.back().force_n), 0.05);
   EXPECT_EQ(both.rig.state.hand[0].guard.fault, Fault::kNone);

@@ -114,7 +114,7 @@ bool read(void* self, std::int64_t /*tick_ns*/, Sample& sample_out) {
   peer.offset_ns += (now_ns - peer.looked_ns) / kDriftPart;
   peer.looked_ns = now_ns;
   drain(peer, now_ns);
-  if (!peer.heard || now_ns - peer.heard_ns > kSilenceNs) return false;
+  if (!peer.heard || now_ns - peer.heard_ns > kQuietNs) return false;
   sample_out = {peer.seq, std::min(taken_ns(peer), now_ns), peer.newest.pose, peer.newest.buttons};
   return true;
 }
@@ -136,7 +136,8 @@ bool motor(void* self, MotorReport& report_out) {
   const bool deaf = peer.echo_ns != 0 && peer.looked_ns - peer.echo_ns > kForceLifeNs;
   const bool ended =
       peer.newest.stopped != 0 && peer.newest.arming == peer.arming_base + peer.given.arming;
-  report_out = {felt_force(peer), peer.given.torque_nm, peer.given.arming, silent || deaf || ended};
+  report_out = {felt_force(peer), peer.given.torque_nm, peer.given.arming, silent || deaf || ended,
+                peer.looked_ns - peer.heard_ns > kForceLifeNs};
   if (report_out.stopped) report_out.force_n = report_out.torque_nm = {};
   return true;
 }

@@ -170,7 +170,7 @@ typedef struct {
   float max_stiffness_n_per_m; /* that it renders without buzzing; 0: unknown */
   float continuous_force_n;    /* that its motors bear for ever; 0: unknown */
   float max_torque_nm;
-  float force_life_s; /* after this a force not renewed ends by itself; 0: it does not */
+  float force_life_s; /* a force ends by itself so long after its sample; 0: it does not */
 } stylet_device_functions;
 STYLET_API stylet_status stylet_device_from_functions(const stylet_device_functions* functions,
                                                       stylet_device** device_out,
