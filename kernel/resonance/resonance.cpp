@@ -11,27 +11,15 @@
 #include <numbers>
 #include <vector>
 
+#include "lattice/hanging.h"
 #include "lattice/voxel.h"
-#include "state/layout.h"
+#include "stepped_mass.h"
 
 namespace stylet {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 using Element = Eigen::Matrix<double, 24, 24>;
-using Shapes = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // three shapes at a time
-
-struct CoarseCell {
-  std::int32_t x, y, z;
-  auto operator<=>(const CoarseCell&) const = default;
-};
-
-// A voxel of the kernel's lattice.
-struct Voxel {
-  CoarseCell at;
-  double k_n_per_m, volume_ratio;
-  std::array<std::uint32_t, 8> corner;  // particles, at x + bit 0, y + bit 1, z + bit 2
-};
 
 std::vector<Voxel> voxels_of(const Model& model) {
   std::vector<std::uint32_t> root(model.head->counts.particles);
@@ -39,13 +27,16 @@ std::vector<Voxel> voxels_of(const Model& model) {
   for (std::uint32_t i = 0; i < model.head->counts.ties; ++i) {
     root[model.tie[i].node] = model.tie[i].representative;
   }
+  const std::int32_t coarsest = coarsest_edge(model);
   std::vector<Voxel> all(model.head->counts.voxels);
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     const std::uint32_t slot = model.voxel_slot[i];
     const Row& row = model.row[model.voxel_row[i]];
     const Vec3 cell = cell_of(model, slot, row);
-    all[i].at = {static_cast<std::int32_t>(cell.x), static_cast<std::int32_t>(cell.y),
-                 static_cast<std::int32_t>(cell.z)};
+    const std::int32_t edge = coarsest >> level_of_particle(model, row.node[0]);
+    all[i].at = {edge * static_cast<std::int32_t>(cell.x), edge * static_cast<std::int32_t>(cell.y),
+                 edge * static_cast<std::int32_t>(cell.z)};
+    all[i].edge = edge;
     all[i].k_n_per_m = static_cast<double>(model.slot_k[slot]);
     all[i].volume_ratio = static_cast<double>(model.slot_volume[slot]);
     for (std::uint32_t c = 0; c < 8; ++c) {
@@ -88,7 +79,7 @@ Parts unit_parts() {
           Element::Identity() - linear};
 }
 
-// Cells of `size` voxels along each edge, with nodes at their corners.
+// Cells of `size` of the finest voxels along each edge, with nodes at their corners.
 struct Coarse {
   struct Sum {
     double k = 0, volume = 0;
@@ -108,8 +99,9 @@ Coarse coarse_of(const std::vector<Voxel>& voxels, std::int32_t size) {
   for (const Voxel& voxel : voxels) {
     Coarse::Sum& sum = out.cells[cell_of(out, voxel)];
     // k of a voxel is its shear modulus times its edge.
-    sum.k += voxel.k_n_per_m / (size * size);
-    sum.volume += voxel.k_n_per_m * voxel.volume_ratio / (size * size);
+    const double part = static_cast<double>(voxel.edge * voxel.edge) / (size * size);
+    sum.k += part * voxel.k_n_per_m;
+    sum.volume += part * voxel.k_n_per_m * voxel.volume_ratio;
   }
   std::map<CoarseCell, std::uint32_t> nodes;
   for (auto& [cell, sum] : out.cells) {
@@ -167,13 +159,14 @@ std::vector<bool> held_nodes(const Coarse& coarse, const std::vector<Voxel>& vox
   return held;
 }
 
-// Whether anything that is held can move.
-bool anything_moves(const Coarse& coarse, const std::vector<Voxel>& voxels,
+// Whether anything that is held can move. A node that hangs does not by itself.
+bool anything_moves(const Model& model, const Coarse& coarse, const std::vector<Voxel>& voxels,
                     const std::vector<bool>& held, const Eigen::VectorXd& springs) {
   return std::any_of(voxels.begin(), voxels.end(), [&](const Voxel& voxel) {
     return held[coarse.cells.at(cell_of(coarse, voxel)).node[0]] &&
-           std::any_of(voxel.corner.begin(), voxel.corner.end(),
-                       [&](std::uint32_t p) { return springs[dof(p, 0)] == 0; });
+           std::any_of(voxel.corner.begin(), voxel.corner.end(), [&](std::uint32_t p) {
+             return springs[dof(p, 0)] == 0 && !hangs(model, p);
+           });
   });
 }
 
@@ -191,7 +184,7 @@ Sparse weights_of(const Model& model, const Coarse& coarse, const std::vector<Vo
       if (placed[particle]) continue;
       placed[particle] = true;
       const auto within = [&](std::int32_t at, std::int32_t first, std::uint32_t bit) {
-        const auto further = static_cast<std::int32_t>((c >> bit) & 1U);
+        const std::int32_t further = ((c >> bit) & 1U) != 0 ? voxel.edge : 0;
         return static_cast<double>(at - first * coarse.size + further) / coarse.size;
       };
       const std::array<double, 3> place = {within(voxel.at.x, cell.x, 0),
@@ -238,85 +231,23 @@ Sparse stiffness_of(const Coarse& coarse, const std::vector<bool>& held, const S
   return out + Sparse(weights.transpose() * on_springs);
 }
 
-// The smallest cells, in voxels along an edge, that are few enough.
-std::int32_t cell_size(const std::vector<Voxel>& voxels) {
-  for (std::int32_t size = 1;; ++size) {
+// The smallest cells that are few enough, of whole voxels of the coarsest level: so each voxel lies
+// in one cell, and a node that hangs is where the cell's shape is.
+std::int32_t cell_size(const std::vector<Voxel>& voxels, std::int32_t coarsest) {
+  for (std::int32_t size = coarsest;; size += coarsest) {
     std::map<CoarseCell, bool> cells;
     for (const Voxel& v : voxels) cells[{v.at.x / size, v.at.y / size, v.at.z / size}] = true;
     if (cells.size() <= kMostResonanceCells) return size;
   }
 }
 
-// For each coordinate of the particles: the mass that tissue has, and 1 / mass in the step, which
-// is 0 for attached particles.
+// For each coordinate of the particles: the mass that tissue has.
 Eigen::VectorXd real_kg(const Model& model) {
   Eigen::VectorXd out(dof(model.head->counts.particles, 0));
   for (std::uint32_t i = 0; i < model.head->counts.particles; ++i) {
     out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(model.particle_kg[i]));
   }
   return out;
-}
-Eigen::VectorXd per_stepped_kg(const Model& model) {
-  const float dt = model.head->substep_s;
-  Eigen::VectorXd out(dof(model.head->counts.particles, 0));
-  for (std::uint32_t i = 0; i < model.head->counts.particles; ++i) {
-    out.segment<3>(dof(i, 0)).setConstant(static_cast<double>(model.step_per_mass[i] / dt));
-  }
-  return out;
-}
-
-// The filter of true mass, p(S) (filter.h).
-Shapes filtered(const Filter& filter, const std::vector<Voxel>& voxels,
-                const Eigen::VectorXd& per_kg, const Shapes& shapes) {
-  Shapes last = shapes, before = shapes;
-  for (std::uint32_t j = 0; j < filter.passes; ++j) {
-    Shapes pull = Shapes::Zero(shapes.rows(), 3);
-    for (const Voxel& voxel : voxels) {
-      Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
-      for (const std::uint32_t p : voxel.corner) mean += last.middleRows<3>(dof(p, 0)) / 8;
-      const double by = voxel.k_n_per_m * (1 + 3 * voxel.volume_ratio);
-      for (const std::uint32_t p : voxel.corner) {
-        pull.middleRows<3>(dof(p, 0)) += by * (last.middleRows<3>(dof(p, 0)) - mean);
-      }
-    }
-    const FilterPass& pass = filter.pass[j];
-    const Shapes next = static_cast<double>(pass.last) * last +
-                        static_cast<double>(pass.first) * shapes +
-                        static_cast<double>(pass.before) * before -
-                        static_cast<double>(pass.bound_s2) * (per_kg.asDiagonal() * pull);
-    before = last;
-    last = next;
-  }
-  return last;
-}
-
-// Mass in the step times shapes. With true mass it is M p(S)^-1, which is symmetric, so conjugate
-// gradients in M serve for each shape. (M (1 + c S) alone, with c the slope of p, is too light by
-// up to a fifth where stiff tissue turns: there S is large at its surface.)
-Shapes stepped_mass(const Model& model, const std::vector<Voxel>& voxels, const Shapes& shapes) {
-  constexpr int kMostRounds = 40;
-  constexpr double kGood = 1e-6;  // of the square of the right-hand side
-  const Eigen::VectorXd per_kg = per_stepped_kg(model);
-  const Eigen::VectorXd kg = per_kg.unaryExpr([](double v) { return v > 0 ? 1 / v : 0; });
-  if (!has_true_mass(model)) return kg.asDiagonal() * shapes;
-  Shapes out = shapes;
-  Shapes left = shapes - filtered(model.head->filter, voxels, per_kg, out);
-  Shapes way = left;
-  const auto squares = [&](const Shapes& a, const Shapes& b) {
-    return Eigen::Array3d((a.array() * (kg.asDiagonal() * b).array()).colwise().sum());
-  };
-  const Eigen::Array3d enough = kGood * squares(shapes, shapes);
-  Eigen::Array3d size = squares(left, left);
-  for (int round = 0; round < kMostRounds && (size > enough).any(); ++round) {
-    const Shapes changed = filtered(model.head->filter, voxels, per_kg, way);
-    const Eigen::Array3d length = (size > enough).select(size / squares(way, changed), 0);
-    out += way * length.matrix().asDiagonal();
-    left -= changed * length.matrix().asDiagonal();
-    const Eigen::Array3d now = squares(left, left);
-    way = left + way * (size > 0).select(now / size, 0).matrix().asDiagonal();
-    size = now;
-  }
-  return kg.asDiagonal() * out;
 }
 
 // Lowest frequency for K and a mass; subspace iteration starts from gravity along x, y, z.
@@ -344,13 +275,12 @@ double lowest_hz(const Eigen::SimplicialLDLT<Sparse>& solver, const Sparse& weig
 Resonance first_resonance(const Kernel& kernel) {
   constexpr double kTenth = 0.1, kNever = std::numeric_limits<double>::infinity();
   const View view = view_of(kernel);
-  if (is_graded(view.model)) return {0, 0, kNever};  // nodes that hang are no particles
   const std::vector<Voxel> voxels = voxels_of(view.model);
   const Eigen::VectorXd springs = springs_of(view.model, voxels);
   if (!(springs.array() > 0).any()) return {0, 0, kNever};
-  const Coarse coarse = coarse_of(voxels, cell_size(voxels));
+  const Coarse coarse = coarse_of(voxels, cell_size(voxels, coarsest_edge(view.model)));
   const std::vector<bool> held = held_nodes(coarse, voxels, springs);
-  if (!anything_moves(coarse, voxels, held, springs)) return {0, 0, kNever};
+  if (!anything_moves(view.model, coarse, voxels, held, springs)) return {0, 0, kNever};
   const Sparse weights = weights_of(view.model, coarse, voxels, held);
   const Eigen::SimplicialLDLT<Sparse> solver(stiffness_of(
       coarse, held, weights, springs, static_cast<double>(view.model.head->hourglass_weight)));

@@ -26,8 +26,7 @@ constexpr std::uint32_t kMostResonanceCells = 1500;
 constexpr double kFastestHandHz = 20;
 
 struct Resonance {
-  // Both are 0 where nothing is attached, or all of what is held in space; and for a graded
-  // lattice, for which they are not computed.
+  // Both are 0 where nothing is attached, or all of what is held in space.
   double real_hz;     // with the mass that tissue has
   double stepped_hz;  // with the mass of the step
   // For a hand that moves the organ in that shape: the frequency from which the forces with the two

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first resonance, which reports name: against beams in closed form, and against the kernel's
-// own lattice after a push, with added and with true mass.
+// own lattice after a push, with added and with true mass, of one and of several levels.
 
 #include "stylet/resonance.h"
 
@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "graded.h"
 #include "rig.h"
 #include "set_speed.h"
 
@@ -55,8 +56,8 @@ TEST(Resonance, OfABeamIsItsClosedForm) {
 }
 
 // The lowest frequency at which the body sways after a push, by the peak of its spectrum.
-double swaying_hz(Rig& rig, Vec3 push, double expected_hz) {
-  View view = rig.view();
+double swaying_hz(Kernel& kernel, Vec3 push, double expected_hz) {
+  View view = view_of(kernel);
   const Counts& counts = view.model.head->counts;
   for (std::uint32_t i = 0; i < counts.particles; ++i) {
     if (view.model.step_per_mass[i] > 0) set_speed(view, i, push);
@@ -65,7 +66,7 @@ double swaying_hz(Rig& rig, Vec3 push, double expected_hz) {
   const auto steps = static_cast<int>(16 / (expected_hz * dt));
   std::vector<double> sway;
   for (int i = 0; i < steps; ++i) {
-    rig.session.kernel.step(rig.session.kernel);
+    kernel.step(kernel);
     double sum = 0;
     for (std::uint32_t p = 0; p < counts.particles; ++p) {
       sum += static_cast<double>(dot(push, {view.state.ux[p], view.state.uy[p], view.state.uz[p]}));
@@ -113,9 +114,42 @@ TEST(Resonance, IsTheFrequencyOfTheLatticeAfterAPush) {
     Rig rig = make_rig(tiny, config);
     const Resonance of = first_resonance(rig.session.kernel);
     EXPECT_LE(of.stepped_hz, 1.0001 * of.real_hz);
-    const double swaying = swaying_hz(rig, {0.01F, 0, 0}, of.stepped_hz);
+    const double swaying = swaying_hz(rig.session.kernel, {0.01F, 0, 0}, of.stepped_hz);
     EXPECT_NEAR(of.stepped_hz / swaying, 1, large ? 0.05 : 0.02)
         << round << ": really " << of.real_hz << " Hz";
+  }
+}
+
+// Beams with finer voxels here and there, of two tissues.
+TEST(Resonance, OfLevelsIsTheFrequencyOfTheirLatticeAfterAPush) {
+  std::mt19937 random(29);
+  for (unsigned round = 0; round < 8; ++round) {
+    TinyMaterial tissue = elastic(static_cast<float>(between(random, 3e3, 3e4)),
+                                  static_cast<float>(between(random, 0, 0.45)));
+    tissue.density_kg_per_m3 = static_cast<float>(between(random, 800, 1200));
+    TinyMaterial stiff = tissue;
+    stiff.youngs_modulus_pa *= static_cast<float>(between(random, 1, 8));
+    stiff.density_kg_per_m3 *= static_cast<float>(between(random, 0.7, 1.3));
+    Graded graded;
+    graded.levels = 2 + round % 2;
+    graded.nx = 2, graded.ny = 4, graded.nz = static_cast<std::uint16_t>(6 + random() % 5);
+    graded.voxel_edge_m = static_cast<float>(between(random, 4e-3, 8e-3));
+    graded.materials = {tissue, stiff};
+    const auto from = static_cast<int>(random() % graded.nz);
+    graded.material_at = [from](std::uint32_t level, int, int, int z) {
+      return static_cast<std::uint8_t>(z >> level >= from ? 1 : 0);
+    };
+    graded.split = at_random(round, between(random, 0.1, 0.6));
+    graded.fixed_faces = kLowZ;
+    Config config;
+    config.inertia = round / 2 % 2 == 0 ? Inertia::kTrueMass : Inertia::kAddedMass;
+    config.substeps = 1 + random() % 2;
+    config.surround_drag_per_s = 0;
+    Body body = make(graded, config);
+    const Resonance of = first_resonance(body.session.kernel);
+    EXPECT_LE(of.stepped_hz, 1.0001 * of.real_hz);
+    const double swaying = swaying_hz(body.session.kernel, {0.01F, 0, 0}, of.stepped_hz);
+    EXPECT_NEAR(of.stepped_hz / swaying, 1, 0.02) << round << ": really " << of.real_hz << " Hz";
   }
 }
 
@@ -138,6 +172,12 @@ TEST(Resonance, ABodyThatCannotMoveHasNone) {
     EXPECT_EQ(of.real_hz, 0);
     EXPECT_EQ(of.stepped_hz, 0);
     EXPECT_FALSE(of.departs_hz < kFastestHandHz);
+    Graded graded;
+    graded.nx = graded.ny = 3, graded.nz = 1;
+    graded.split = [](std::uint32_t, int x, int y, int) { return x == 1 && y == 1; };
+    graded.fixed_faces = kLowZ | kHighZ;
+    Body body = make(graded, config);
+    EXPECT_FALSE(first_resonance(body.session.kernel).departs_hz < kFastestHandHz);
   }
 }
 
