@@ -11,6 +11,8 @@
 #include <span>
 #include <utility>
 
+#include "stylet/levels.h"
+
 namespace stylet::app {
 namespace {
 
@@ -266,7 +268,7 @@ std::string strength_text(const RunReport& report) {
   return text;
 }
 
-// The deepest dimple before a puncture of the surface, in voxels.
+// The deepest dimple before a puncture of the surface, in the coarsest voxels.
 double dimple_voxels(const RunReport& report) {
   double most = 0;
   for (const auto& stages : report.stages) {
@@ -297,7 +299,8 @@ std::string resolution_text(const RunReport& report) {
   if (shortfall > kNoShortfall) {
     text += fmt::format(
         "softer      the lattice held a particle of the needle {:.0f} % more softly than the "
-        "material would: expected finer voxels\n",
+        "material would: voxels are small for the needle or its force, or a stiff layer is "
+        "thinner than two of them\n",
         100 * shortfall);
   }
   const double unit = static_cast<double>(report.stats.unit_in_voxels);
@@ -305,7 +308,7 @@ std::string resolution_text(const RunReport& report) {
     text += fmt::format(
         "unit        the needle's unit is {:.2g} voxels long, so that the shaft is 10 to 26 % too "
         "soft sideways: expected a unit of at most {:.3g} mm\n",
-        unit, 1e3 * static_cast<double>(report.voxel_edge_m));
+        unit, 1e3 * static_cast<double>(report.voxel_edge_m * edge_ratio(report.levels - 1)));
   }
   if (dimple > kShallowVoxels) {
     text += fmt::format(

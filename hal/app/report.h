@@ -19,7 +19,8 @@ namespace stylet::app {
 struct RunReport {
   std::string scene_file, organ_file, organ_name, mode, recording;
   std::uint64_t organ_hash = 0, state_hash = 0;
-  float voxel_edge_m = 0;
+  float voxel_edge_m = 0;    // of the coarsest level
+  std::uint32_t levels = 1;  // each has half the edge of the one before
   double period_s = 1e-3;
   bool fast = false, interrupted = false;
   double wall_s = 0;

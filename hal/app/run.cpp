@@ -15,6 +15,7 @@
 #include "hal/app/terminal.h"
 #include "hal/base/output_file.h"
 #include "hal/record/replay.h"
+#include "stylet/levels.h"
 
 namespace stylet::app {
 namespace {
@@ -59,17 +60,23 @@ std::string hands_name(const Session& s) {
   return all;
 }
 
+std::string edges_mm(const Organ& organ) {
+  const double coarse_mm = static_cast<double>(organ.voxel_edge_m) * 1e3;
+  const double fine_mm = coarse_mm * static_cast<double>(edge_ratio(organ.levels - 1U));
+  return organ.levels > 1 ? fmt::format("{:g} to {:g}", coarse_mm, fine_mm)
+                          : fmt::format("{:g}", coarse_mm);
+}
+
 void announce(const Session& s) {
   if (s.options.json) return;
   const double length_s =
       static_cast<double>(s.config.ticks) * static_cast<double>(s.scene.config.period_s);
   fmt::print(
-      "{} in {} mode, organ \"{}\": {} voxels of {:g} mm; {} of {} at {:g} us a tick, "
+      "{} in {} mode, organ \"{}\": {} voxels of {} mm; {} of {} at {:g} us a tick, "
       "{}\n\n",
       s.scene.file, mode_name(s), s.organ->organ.name, s.organ->organ.voxel_count,
-      static_cast<double>(s.organ->organ.voxel_edge_m) * 1e3,
-      s.open_end ? "until Ctrl-C" : fmt::format("{:.2f} s", length_s), hands_name(s),
-      static_cast<double>(s.config.period_ns) * 1e-3,
+      edges_mm(s.organ->organ), s.open_end ? "until Ctrl-C" : fmt::format("{:.2f} s", length_s),
+      hands_name(s), static_cast<double>(s.config.period_ns) * 1e-3,
       s.options.fast ? "virtual clock" : "real time");
   for (const std::string& each : s.fits) fmt::print("{}\n", each);
   if (!s.fits.empty()) fmt::print("\n");

@@ -413,6 +413,7 @@ RunReport report_of(const Session& s, const Attempt& a) {
   report.mode = mode_name(s);
   report.organ_hash = s.organ->organ.hash;
   report.voxel_edge_m = s.organ->organ.voxel_edge_m;
+  report.levels = s.organ->organ.levels;
   report.state_hash = hash(s.instance->kernel);
   report.period_s = static_cast<double>(s.scene.config.period_s);
   report.fast = s.options.fast;
@@ -448,8 +449,7 @@ Resonance resonance_of(const Session& s) try {
   return first_resonance(s.instance->kernel);
 } catch (const std::bad_alloc&) {
   (void)std::fputs("stylet: the first resonance is not reported: not enough memory\n", stderr);
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  return {kUnknown, kUnknown, kUnknown};
+  return {NAN, NAN, NAN};
 }
 
 bool tell_of_trouble(const Session& s, const Attempt& a) {

@@ -289,6 +289,12 @@ def liver_biopsy(run):
             force_over_time(run, "The same over time")]
 
 
+def small_tumour(run):
+    return [force_over_travel(run, "A tumour of 8 mm: the tip enters",
+                              ["liver", "tumour", "liver_capsule"]),
+            force_over_time(run, "The same over time")]
+
+
 def prostate_template(run):
     shape = run.shapes(len(run.time_s))[0]
     first, second = (np.array(needle) * 1e3 for needle in shape["needles"])

@@ -4,6 +4,7 @@
 
 usage: scenes_test.py [CASE]   with STYLET_BIN and STYLET_SOURCE in the environment
 """
+import json
 import os
 import pathlib
 import sys
@@ -402,6 +403,33 @@ class LiverBiopsy(Scene):
     def test_tip_comes_to_the_tumour(self):
         tips = self.run_.tip_m
         self.assertLess(np.linalg.norm(tips - self.CENTRE, axis=1).min(), self.RADIUS)
+
+
+class SmallTumour(Scene):
+    name = "small-tumour"
+    LIVER, TUMOUR, CAPSULE = range(3)
+    CENTRE, RADIUS = np.array([-60, 120, 150]) * 1e-3, 4e-3
+
+    def test_capsule_and_tumour_are_punctured_at_their_forces(self):
+        self.check_quiet()
+        entered = [(kind, layer, force) for _, kind, layer, force in self.run_.events
+                   if kind in ("puncture", "layer")][:3]
+        self.assertEqual([(kind, layer) for kind, layer, _ in entered],
+                         [("puncture", self.CAPSULE), ("layer", self.LIVER),
+                          ("puncture", self.TUMOUR)])
+        self.assert_within(entered[0][2], 0.7, 0.02)
+        self.assert_within(entered[2][2], 1, 0.02)
+
+    def test_tip_comes_to_the_tumour(self):
+        tips = self.run_.tip_m
+        self.assertLess(np.linalg.norm(tips - self.CENTRE, axis=1).min(), self.RADIUS)
+
+    def test_the_tumour_has_voxels_of_its_own(self):
+        """Of its 268 mm3, which one voxel of 5 mm would exceed by half."""
+        report = json.loads(play.call([play.BIN / "stylet-organ", "info",
+                                       self.folder / f"{self.name}.organ", "--json"]))
+        tumour = next(m for m in report["materials"] if m["name"] == "tumour")
+        self.assertGreater(tumour["voxels"], 100)
 
 
 class ProstateTemplate(Scene):
