@@ -13,6 +13,7 @@
 #include "hal/hosts/c/refusal.h"
 #include "hal/hosts/c/sized.h"
 #include "stylet/content_sum.h"
+#include "stylet/levels.h"
 
 namespace stylet::c {
 
@@ -226,6 +227,19 @@ uint32_t stylet_organ_voxels(const stylet_organ* organ, stylet_voxel* out, uint3
               o.voxel_material[i],
               fixed,
               static_cast<float>(o.voxel_fill[i]) / 255.0F};
+  });
+  return o.voxel_count;
+}
+
+uint32_t stylet_organ_cubes(const stylet_organ* organ, stylet_cube* out, uint32_t capacity) {
+  if (organ == nullptr) return 0;
+  const Organ& o = organ->organ;
+  if (out == nullptr) return o.voxel_count;
+  c::each_voxel(o, [&](std::uint32_t i, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    if (i >= capacity) return;
+    const Vec3 low = organ_vertex_place(o, x, y % o.sheet_rows, z, {i, 0, 0, 0, 0});
+    const float edge_m = o.voxel_edge_m * edge_ratio(level_of(o.level_planes, z));
+    out[i] = {{low.x, low.y, low.z}, edge_m};
   });
   return o.voxel_count;
 }

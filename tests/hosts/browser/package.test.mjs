@@ -42,6 +42,8 @@ test("an organ is what its file holds", () => {
   assert.equal(organ.triangles.length, 3 * info.triangles);
   assert.equal(organ.vertex_materials.length, info.vertices);
   assert.equal(organ.voxels.length, info.voxels);
+  assert.equal(organ.cubes.length, info.voxels);
+  assert.equal(organ.cubes[7].edge_m, info.voxel_edge_m);
   assert.ok(Math.max(...organ.triangles) < info.vertices);
   const names = Array.from({ length: info.materials }, (_, i) => organ.material(i).name);
   assert.deepEqual(names, ["liver", "liver_capsule"]);

@@ -285,6 +285,10 @@ void add_what_organs_tell(Calls& calls) {
     const stylet_organ* const o = w.organ();
     w.copy<stylet_voxel>([&](auto* out, auto n) { return stylet_organ_voxels(o, out, n); });
   };
+  calls["stylet_organ_cubes"] = [](World& w) {
+    const stylet_organ* const o = w.organ();
+    w.copy<stylet_cube>([&](auto* out, auto n) { return stylet_organ_cubes(o, out, n); });
+  };
   calls["stylet_organ_triangles"] = [](World& w) {
     struct Triangle {
       std::uint32_t corner[3];

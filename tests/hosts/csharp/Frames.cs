@@ -173,7 +173,8 @@ public static class Frames {
       simulation.Mass(0, out real_kg, out stepped_kg);
       Console.WriteLine("{0} {1} {2}", organ.NameOf(0), organ.Material(0).youngs_modulus_pa > 0,
                         real_kg > 0 && stepped_kg > 0);
-      Console.WriteLine("{0} {1} {2}", organ.Voxels().Length == organ.Info.voxels,
+      Console.WriteLine("{0} {1} {2}", organ.Voxels().Length == organ.Info.voxels &&
+                            organ.Cubes()[1].edge_m == organ.Info.voxel_edge_m,
                         simulation.VoxelCorners().Length == 8 * organ.Info.voxels,
                         simulation.Particles().Length > organ.Info.voxels);
       Console.WriteLine("{0} {1} {2} {3}",

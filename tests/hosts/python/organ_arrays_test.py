@@ -277,6 +277,23 @@ class Meshes(Case):
             np.testing.assert_array_equal(one.organ.voxels,
                                           stylet.Organ.from_bytes(expected).voxels)
 
+    def test_cubes_of_all_levels_fill_the_mesh(self):
+        random = np.random.default_rng(9)
+        low = random.uniform(-0.02, 0.02, 3)
+        high = low + random.uniform(0.03, 0.05, 3)
+        way = "way:{0[0]},{0[1]},{0[2]}:{1[0]},{1[1]},{1[2]}:4:2".format(1e3 * low, 1e3 * high)
+        organ = stylet_organ.from_mesh(*self.box(low, high), voxel_edge_m=0.004, refine=way).organ
+        cubes, fill = organ.cubes, organ.voxels["fill"]
+        self.assertEqual({round(1e6 * edge) for edge in cubes["edge_m"].tolist()}, {1000, 2000, 4000})
+        volume = np.sum(fill.astype(float) * cubes["edge_m"].astype(float) ** 3)
+        self.assertAlmostEqual(volume / np.prod(high - low), 1, delta=0.02)
+        # Every place in the box lies in one cube, and cubes reach no farther than the box.
+        edges = cubes["edge_m"][:, None]
+        for place in random.uniform(low, high, (400, 3)):
+            within = (cubes["low_m"] <= place) & (place < cubes["low_m"] + edges)
+            self.assertEqual(np.count_nonzero(within.all(1)), 1, place)
+        self.assertTrue((cubes["low_m"] + edges > low).all() and (cubes["low_m"] < high).all())
+
     def test_refusals(self):
         vertices, faces = self.box(np.zeros(3), np.full(3, 0.03))
         for words, kind, mesh in (

@@ -2,7 +2,7 @@
 // Units: SI. Frame: the organ's at rest, right-handed. Arrays of places are Float32Array with x, y,
 // z one after the other. What is refused is thrown as a StyletError.
 import type {
-  Config, ConstraintParticle, Energy, Event, Material, Needle, Obstacle, ObstacleTouch, OrganInfo,
+  Config, ConstraintParticle, Cube, Energy, Event, Material, Needle, Obstacle, ObstacleTouch, OrganInfo,
   Output, Pose, Refusal, Stats, Vec3, Voxel,
 } from "./structs.js";
 
@@ -69,6 +69,7 @@ export class Organ {
   readonly vertices: Float32Array;
   readonly vertex_materials: Uint8Array;
   readonly voxels: Voxel[];
+  readonly cubes: Cube[];
   /** Distance along a ray to the surface at rest; null: it does not meet it. */
   raycast(origin_m: Vec3, direction: Vec3): number | null;
   /** Simulations that were made from it go on. */

@@ -375,6 +375,13 @@ export class Organ {
       (at, most) => library.exports.stylet_organ_voxels(this.handle.at, at, most));
   }
 
+  /** The space that each voxel takes up at rest. */
+  get cubes() {
+    const { library } = this;
+    return library.list("stylet_cube",
+      (at, most) => library.exports.stylet_organ_cubes(this.handle.at, at, most));
+  }
+
   /** Distance along a ray to the surface at rest; null: it does not meet it. */
   raycast(origin_m, direction) {
     const { library } = this, { memory } = library, part = structs.stylet_vec3.bytes;

@@ -134,6 +134,11 @@ void add_organ(py::module_& module) {
                                return kept<stylet_voxel>(o, o.voxels, voxel_dtype(), 1,
                                                          stylet_organ_voxels);
                              })
+      .def_property_readonly("cubes",
+                             [](Organ& o) {
+                               return kept<stylet_cube>(o, o.cubes, cube_dtype(), 1,
+                                                        stylet_organ_cubes);
+                             })
       .def_property_readonly("vertices",
                              [](Organ& o) {
                                return kept<stylet_vec3>(o, o.vertices, vec3_dtype(), 3,

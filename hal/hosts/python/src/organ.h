@@ -14,7 +14,7 @@ namespace stylet::python {
 
 struct Organ {
   std::shared_ptr<stylet_organ> handle;
-  py::object info, materials, voxels, vertices, vertex_materials, triangles;
+  py::object info, materials, voxels, cubes, vertices, vertex_materials, triangles;
 };
 
 Organ read_organ(const std::string& path);

@@ -142,6 +142,12 @@ py::dtype voxel_dtype() {
       sizeof(stylet_voxel));
 }
 
+py::dtype cube_dtype() {
+  return dtype_of(
+      {STYLET_FIELD(stylet_cube, low_m, kVec3), STYLET_FIELD(stylet_cube, edge_m, kFloat)},
+      sizeof(stylet_cube));
+}
+
 py::dtype constraint_particle_dtype() {
   return dtype_of({STYLET_FIELD(stylet_constraint_particle, position_m, kVec3),
                    STYLET_FIELD(stylet_constraint_particle, goal_m, kVec3),
@@ -207,6 +213,7 @@ void add_types(py::module_& module) {
   module.attr("needle_dtype") = needle_dtype();
   module.attr("obstacle_dtype") = obstacle_dtype();
   module.attr("voxel_dtype") = voxel_dtype();
+  module.attr("cube_dtype") = cube_dtype();
   module.attr("constraint_particle_dtype") = constraint_particle_dtype();
   module.attr("obstacle_touch_dtype") = obstacle_touch_dtype();
   module.attr("event_dtype") = event_dtype();

@@ -44,6 +44,7 @@ py::dtype config_dtype();
 py::dtype needle_dtype();
 py::dtype obstacle_dtype();
 py::dtype voxel_dtype();
+py::dtype cube_dtype();
 py::dtype constraint_particle_dtype();
 py::dtype obstacle_touch_dtype();
 py::dtype event_dtype();

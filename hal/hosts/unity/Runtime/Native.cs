@@ -70,6 +70,13 @@ public struct Voxel {
   public float fill;
 }
 
+// The space that a voxel takes up at rest: its corner with the least x, y and z.
+[StructLayout(LayoutKind.Sequential)]
+public struct Cube {
+  public Vec3 low_m;
+  public float edge_m;
+}
+
 [StructLayout(LayoutKind.Sequential)]
 public struct ConstraintParticle {
   public Vec3 position_m, goal_m, force_on_needle_n;
@@ -256,6 +263,8 @@ internal static unsafe class Native {
       OrganHandle organ, uint index, ref Material material);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_voxels(
       OrganHandle organ, Voxel* voxels, uint capacity);
+  [DllImport(kLibrary)] internal static extern uint stylet_organ_cubes(
+      OrganHandle organ, Cube* cubes, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_triangles(
       OrganHandle organ, int* corners, uint capacity);
   [DllImport(kLibrary)] internal static extern uint stylet_organ_vertices(

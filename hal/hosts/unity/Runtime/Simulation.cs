@@ -103,6 +103,11 @@ public sealed unsafe class Organ : IDisposable {
     fixed (Voxel* at = voxels) Native.stylet_organ_voxels(Handle, at, Info.voxels);
     return voxels;
   }
+  public Cube[] Cubes() {
+    var cubes = new Cube[Info.voxels];
+    fixed (Cube* at = cubes) Native.stylet_organ_cubes(Handle, at, Info.voxels);
+    return cubes;
+  }
   // By number, as VertexMaterials and an output's layer have it.
   public Material Material(int index) {
     var material = new Material { struct_bytes = (uint)sizeof(Material) };

@@ -187,7 +187,7 @@ STYLET_API stylet_status stylet_organ_get_material(const stylet_organ* organ, ui
                                                    stylet_material* material_out);
 
 /* x, y, z: of the organ's lattice. Where voxels have several sizes, their levels lie one after the
- * other along z, as stylet/levels.h of the kernel says; voxel_edge_m is that of the coarsest. */
+ * other along z; voxel_edge_m is that of the coarsest, and stylet_organ_cubes has all. */
 typedef struct {
   uint16_t x, y, z;
   uint8_t material, fixed; /* bit i: corner i is held, corner dx + 2 dy + 4 dz */
@@ -195,6 +195,14 @@ typedef struct {
 } stylet_voxel;
 STYLET_API uint32_t stylet_organ_voxels(const stylet_organ* organ, stylet_voxel* out,
                                         uint32_t capacity);
+/* The space that a voxel takes up at rest, whatever its level. */
+typedef struct {
+  stylet_vec3 low_m; /* its corner with the least x, y and z */
+  float edge_m;
+} stylet_cube;
+/* One for each voxel, in the same order. */
+STYLET_API uint32_t stylet_organ_cubes(const stylet_organ* organ, stylet_cube* out,
+                                       uint32_t capacity);
 /* Corners of the surface's triangles, three a triangle, counter-clockwise seen from outside.
  * `capacity` and result count triangles. */
 STYLET_API uint32_t stylet_organ_triangles(const stylet_organ* organ, uint32_t* out,

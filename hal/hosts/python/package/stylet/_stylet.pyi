@@ -11,6 +11,7 @@ config_dtype: np.dtype
 needle_dtype: np.dtype
 obstacle_dtype: np.dtype
 voxel_dtype: np.dtype
+cube_dtype: np.dtype
 constraint_particle_dtype: np.dtype
 obstacle_touch_dtype: np.dtype
 event_dtype: np.dtype
@@ -105,6 +106,7 @@ class Organ:
     info: OrganInfo
     materials: tuple[Material, ...]
     voxels: NDArray[Any]
+    cubes: NDArray[Any]
     vertices: NDArray[np.float32]
     vertex_materials: NDArray[np.uint8]
     triangles: NDArray[np.uint32]
