@@ -528,6 +528,8 @@ class Constants(Sample):
         self.assertEqual(len(list(sensitivity.faults(constants, values, table))), 4)
         played = table.replace("|  |  |  |", "| 0 | 0 |  |").replace("| 8 |", "| 9 |")
         self.expect_one(sensitivity.faults(constants, values, played), "rate_per_s", "9")
+        stale = table.replace("|  |  |  |", "| 0 | 0 |  |") + "more\n"
+        self.expect_one(sensitivity.faults(constants, values, stale), "texts are not those of")
         listed_only = table.replace("|  |  |  |", "| 0 | 0 |  |").replace("`kB`, ", "`kF`, ")
         found = list(sensitivity.faults(constants, values, listed_only))
         self.assertEqual([("kB" in each, "kF" in each) for each in found],
