@@ -14,6 +14,7 @@
 #include "hal/app/commands.h"
 #include "hal/app/doctor_text.h"
 #include "hal/app/opening.h"
+#include "hal/app/scene_name.h"
 #include "hal/app/terminal.h"
 #include "hal/base/contained.h"
 #include "hal/doctor/opened.h"
@@ -168,7 +169,7 @@ std::vector<std::string> wanted_devices(const DoctorOptions& options) {
   }
   if (options.scene.empty()) return uris;
   const std::size_t given = uris.size();
-  for (const hal::Hand& hand : hal::read_scene(options.scene).hands) {
+  for (const hal::Hand& hand : hal::read_scene(scene_file(options.scene)).hands) {
     if (hand.device == "attached") uris.push_back(hand.uri);
   }
   if (uris.size() == given) {

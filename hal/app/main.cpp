@@ -413,7 +413,6 @@ int dispatch(int argc, char** argv) {
     if (!score_options.scene.empty()) score_options.scene = scene_file(score_options.scene);
     return score(score_options);
   }
-  if (!doctor_options.scene.empty()) doctor_options.scene = scene_file(doctor_options.scene);
   if (probing.parsed()) return probe(probe_options);
   if (program.got_subcommand("devices")) return list_devices(devices_options);
   if (program.got_subcommand("station")) return station(station_options);
