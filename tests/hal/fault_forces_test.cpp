@@ -110,8 +110,8 @@ struct Chain {
     if (bench != nullptr) bench->move(pose);
     if (peer != nullptr) peer->pose = pose;
   }
-  void move_to(float x_m) { move({{x_m, 0, 0}, {1, 0, 0, 0}}); }
-  void tick() { ticker->tick({asked_n, 0, 0}); }
+  void move_to(float z_m) { move({{0, 0, z_m}, {1, 0, 0, 0}}); }
+  void tick() { ticker->tick({0, 0, asked_n}); }
   Fault fault() const {
     const Fault here = ticker->state.fault;
     return here == Fault::kNone && station != nullptr ? station->state.guard.fault : here;
