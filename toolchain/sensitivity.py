@@ -60,38 +60,44 @@ inline T tuned(const char* name, T value) {
 HEAD = """\
 # The kernel's numbers, and how much hands feel of them
 
-Written by `toolchain/sensitivity.py` from `toolchain/constants.txt`; `check.constants` fails if a
-value here differs from that in the sources.
+Written by `toolchain/sensitivity.py` from `toolchain/constants.txt`, which also says what the kinds
+below mean. The test `check.constants` fails if a value here differs from that in the sources, or a
+text from that in the list.
 
-| where they come from | how many |
+| kind | how many numbers |
 | --- | --- |
 {counts}
 
 ## Measured or chosen numbers: effect of half and double
 
-{scenes} random scenes with moving hands (`tests/sensitivity`) are played. Every needle goes in,
-rests, steps aside, swings by 1 mm at 4 Hz across and along, goes deeper, back and in again, and
-comes out.
-Kinds of scene: rigid, elastic, on bone, two needles at once, on a surface that is not punctured,
-through layers and gaps. The hands move the same whatever they feel.
+For each number, {scenes} random scenes with moving hands (`tests/sensitivity`) are run three times:
+with the number as it is, with half of it and with twice as much. Every needle goes in, rests, steps
+aside, swings by 1 mm at 4 Hz across and along, goes deeper, back and in again, and comes out. There
+are six kinds of scene: rigid needle, elastic needle, on bone, two needles at once, on a surface
+that is not punctured (`surface`), through layers and gaps (`layers`). The hands move the same
+whatever they feel.
 
-Forces are averaged over 50 ms. The columns *half* and *double* have the largest change of a force
-in per cent of the scene's largest force: the median over the scenes, the largest of the scenes, and
-the kind of the latter. (If a puncture comes 5 ms later, the mean changes by a tenth of the fall of
-the force.) 0 means that no force of these scenes changed: they do not reach bounds against violent
-hands, rounding and rare shapes. *Broken* says in how many scenes a promise is broken that holds
-with the present number. The promises are: hands gain no energy (1 uJ), no force trembles at rest,
-no needle is held and no tissue strained after the needle is out, all numbers are finite. A change
-as small as that of the first row means nothing. The second row has the effect of everything that
-depends on the length of a tick.
+The columns *half* and *double* say how much the forces on the hands change. Forces are averaged
+over 50 ms, and the largest change in a scene is given in per cent of the scene's largest force. The
+first figure is the median of the scenes, the second is the largest of all scenes, and the kind of
+the scene in which it occurs stands in brackets. (If a puncture comes 5 ms later, the average
+changes by a tenth of the fall of the force.) 0 means that no force changed: these scenes do not
+reach bounds against violent hands, rounding and rare shapes.
 
-| number | value | unit | half | double | broken | where it comes from |
+*Broken* says in how many scenes a promise is broken that holds with the present number. The
+promises are: hands gain no energy (more than 1 uJ), no force trembles at rest, no needle is held
+and no tissue is strained after the needle is out, and all numbers are finite.
+
+For comparison, the first row changes nothing but the hands' path, by 1 nm: a change as small as
+that means nothing. The second row has half of the tick, and shows what depends on its length.
+
+| number | value | unit | half | double | broken | kind, and what it is or where it comes from |
 | --- | --- | --- | --- | --- | --- | --- |
 """
 REST_HEAD = """
 ## All others
 
-| number | value | unit | kind | where it comes from |
+| number | value | unit | kind | what it is or where it comes from |
 | --- | --- | --- | --- | --- |
 """
 
@@ -365,6 +371,14 @@ def made_table(constants, values, results, old):
 
 
 def faults(constants, values, table):
+    """What is wrong with list and table; with the table's texts only if nothing else is."""
+    found = list(faults_of_values(constants, values, table))
+    if not found and made_table(constants, values, {}, rows_of(table)) != table:
+        found = [f"{TABLE}: its texts are not those of {LIST}; run sensitivity.py kPi"]
+    return found
+
+
+def faults_of_values(constants, values, table):
     seen = collections.Counter(each[:2] for each in constants)
     for file, name in sorted(set(values) - set(seen)):
         if file.startswith("kernel/") or any(file == each.file for each in constants):

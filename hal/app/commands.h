@@ -89,9 +89,11 @@ struct DoctorOptions {
   std::string root = "/";  // or the root of a captured tree
   int cpu = -1;            // -1: as the loop would choose
   int priority = 80;
-  double measure_s = 0;   // 0: only look, do not measure
-  std::string recording;  // its ticks are the body that is measured
-  std::string organ;      // instead of the recording's
+  double measure_s = 0;              // 0: only look, do not measure
+  std::string recording;             // its ticks are the body that is measured
+  std::string organ;                 // instead of the recording's
+  std::vector<std::string> devices;  // URIs of devices to open and watch
+  std::string scene;                 // its devices, too; empty: none
   bool json = false;
 };
 int doctor(const DoctorOptions& options);

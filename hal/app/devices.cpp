@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <thread>
-#include <utility>
 
 #include "hal/app/commands.h"
 #include "hal/app/fault_desk.h"
@@ -32,18 +31,6 @@ namespace stylet::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct Opened {
-  Opened(std::string uri_in, Opener open)
-      : uri(std::move(uri_in)), device(open_or_stop(uri, open)) {}
-  ~Opened() {
-    close_or_leave(std::span(&device, 1), [this](std::size_t) { return uri; });
-  }
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-  const std::string uri;
-  const hal::Device device;
-};
 
 Json spread(const hal::Histogram& histogram) {
   return {{"p50", hal::histogram_quantile_us(histogram, 0.5)},
@@ -82,10 +69,11 @@ Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::D
                  {"samples", probe.samples},
                  {"samples_per_s", static_cast<double>(probe.samples) / probe.seconds},
                  {"repeated", probe.repeated},
-                 {"lost", probe.lost},
+                 {"lost", probe.packets ? probe.packets->lost : probe.lost},
                  {"unanswered", probe.unanswered},
                  {"interval_us", spread(probe.interval)},
                  {"age_us", spread(probe.age)},
+                 {"longest_gap_us", static_cast<double>(probe.longest_gap_ns) * 1e-3},
                  {"smallest_step_um",
                   {probe.step_m[0] * 1e6F, probe.step_m[1] * 1e6F, probe.step_m[2] * 1e6F}},
                  {"low_mm", of(probe.low_m, 1e-3F)},
@@ -122,6 +110,8 @@ void tell(const Json& r) {
                std::string(key).substr(0, std::string(key).find('_')), r[key]["p50"].get<double>(),
                r[key]["p99"].get<double>(), r[key]["max"].get<double>());
   }
+  fmt::print("gap       at most {:.0f} us without a new sample\n",
+             r["longest_gap_us"].get<double>());
   fmt::print("steps     {} um, smallest seen of x, y, z\n", short_of(r["smallest_step_um"]));
   fmt::print("moved     from {} to {} mm\n", short_of(r["low_mm"]), short_of(r["high_mm"]));
   if (r.contains("about")) fmt::print("about     {}\n", r["about"].get<std::string>());

@@ -6,15 +6,20 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <memory>
 #include <stdexcept>
 #include <thread>
 
 #include "hal/app/commands.h"
 #include "hal/app/doctor_text.h"
+#include "hal/app/opening.h"
+#include "hal/app/scene_name.h"
 #include "hal/app/terminal.h"
 #include "hal/base/contained.h"
+#include "hal/doctor/opened.h"
 #include "hal/record/replay.h"
+#include "hal/scene/scene.h"
 #include "stylet/resonance.h"
 
 namespace stylet::app {
@@ -153,8 +158,53 @@ void measure_all(const DoctorOptions& options, DoctorReport& report) {
   }
 }
 
+// ---- devices ------------------------------------------------------------------------------------
+
+std::vector<std::string> wanted_devices(const DoctorOptions& options) {
+  std::vector<std::string> uris = options.devices;
+  for (const std::string& uri : uris) {
+    if (const std::string expected = hal::device_uri_fault(uri); !expected.empty()) {
+      throw hal::DeviceError(fmt::format("--device: {}: expected {}", uri, expected));
+    }
+  }
+  if (options.scene.empty()) return uris;
+  const std::size_t given = uris.size();
+  for (const hal::Hand& hand : hal::read_scene(scene_file(options.scene)).hands) {
+    if (hand.device == "attached") uris.push_back(hand.uri);
+  }
+  if (uris.size() == given) {
+    throw hal::SceneError(fmt::format(
+        "{}: device.uri: missing: expected a scene that names a device, or --device URI",
+        options.scene));
+  }
+  return uris;
+}
+
+void examine_device(const std::string& uri, const hal::Patient& patient, DoctorReport& report) {
+  fmt::print(stderr, "stylet: waiting for {}\n", uri);
+  std::atomic<bool> stop{false};
+  const StopOnSignal stop_on_signal(stop);  // before the device is open
+  try {
+    const Opened opened(uri, hal::open_device);
+    const auto seen = std::make_unique<hal::DeviceProbe>();
+    std::async(std::launch::async, [&] {
+      hal::HostReport host;
+      hal::prepare_thread(patient.cpu, patient.priority, host);
+      constexpr double kWatchedS = 1;
+      hal::probe_device(opened.device, kWatchedS, false, hal::monotonic_clock(), stop, *seen);
+    }).get();
+    for (hal::Finding& each : hal::judge_opened(uri, opened.device, *seen)) {
+      report.findings.push_back(std::move(each));
+    }
+  } catch (const hal::DeviceError& error) {
+    if (stop_was_asked()) throw;
+    report.findings.push_back(hal::judge_refused(uri, error.what()));
+  }
+}
+
 // This machine, which can be asked and watched as well as looked at.
 void examine_here(const DoctorOptions& options, hal::Patient& patient, DoctorReport& report) {
+  const std::vector<std::string> uris = wanted_devices(options);
   hal::HostState host;  // holds what the loop would hold, until the end
   hal::prepare_process(host);
   patient.trials = hal::try_rights(host, options.cpu, options.priority, patient.cpu);
@@ -167,6 +217,7 @@ void examine_here(const DoctorOptions& options, hal::Patient& patient, DoctorRep
   for (hal::Finding& each : hal::compare_disturbances(patient, before, after, kWatchedS)) {
     report.findings.push_back(std::move(each));
   }
+  for (const std::string& uri : uris) examine_device(uri, patient, report);
   if (options.measure_s > 0) measure_all(options, report);
 }
 

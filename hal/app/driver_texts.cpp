@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// stylet_driver_texts udev | table | windows: texts about the drivers that also stand elsewhere,
-// made from their descriptors, for toolchain/checks/drivers.py.
+// stylet_driver_texts udev | table | windows | needles | tips | devices: texts that also stand
+// elsewhere, made from the drivers' descriptors and the needles, for toolchain/checks/drivers.py.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <string>
 #include <string_view>
 
+#include "hal/base/needles.h"
 #include "hal/device/drivers/haply.h"
 
 namespace stylet::app {
@@ -89,6 +90,53 @@ std::string windows_table() {
       here, not_here);
 }
 
+// ---- what a scene may name ----------------------------------------------------------------------
+
+std::string needle_table() {
+  std::string rows =
+      "| needle | OD / ID mm | E GPa | EI N m^2 | length mm | tip, half angle | what |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const hal::NeedlePreset& each : hal::needle_presets()) {
+    const std::string inner = each.inner_mm > 0 ? fmt::format("{:.4g}", each.inner_mm) : "solid";
+    rows += fmt::format("| `{}` | {:.4g} / {} | {:.4g} | {:.2e} | {:.4g} | {}, {:.4g}° | {} |\n",
+                        each.name, each.outer_mm, inner, each.youngs_modulus_gpa,
+                        hal::bending_nm2(each.outer_mm, each.inner_mm, each.youngs_modulus_gpa),
+                        each.length_mm, each.tip, each.half_angle_deg, each.what);
+  }
+  return rows;
+}
+
+std::string tip_table() {
+  std::string rows = "| tip | length of the crack, in outer diameters |\n| --- | --- |\n";
+  for (const hal::TipKind& each : hal::tip_kinds()) {
+    rows += fmt::format("| `{}` | {:.4g} |\n", each.name, each.torn_diameters);
+  }
+  return rows;
+}
+
+std::string model_table() {
+  std::string rows =
+      "| device | force N | continuous N | slew N/s | stiffness N/m | damping N s/m | workspace mm "
+      "| mass g | arm's damping N s/m | friction N | resolution mm | delay ms |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  // As written in the code, not as a float holds them.
+  const auto milli = [](float value) { return fmt::format("{:.4g}", 1e3F * value); };
+  for (const hal::DriverDescriptor* driver : hal::drivers_with_haply()) {
+    for (const hal::DeviceModel& each : driver->models) {
+      const hal::DeviceDynamics& motion = each.motion;
+      rows += fmt::format(
+          "| `{}` | {:.4g} | {:.4g} | {:.4g} | {:.4g} | {:.4g} | {} x {} x {} | {} | {:.4g} | "
+          "{:.4g} | {} | {} |\n",
+          each.name, each.max_force_n, each.continuous_force_n, each.max_slew_n_per_s,
+          each.max_stiffness_n_per_m, each.max_damping_n_s_per_m, milli(each.workspace_m.x),
+          milli(each.workspace_m.y), milli(each.workspace_m.z), milli(motion.mass_kg),
+          motion.damping_n_s_per_m, motion.friction_n, milli(motion.resolution_m),
+          milli(motion.delay_s));
+    }
+  }
+  return rows;
+}
+
 }  // namespace
 }  // namespace stylet::app
 
@@ -98,8 +146,12 @@ int main(int argc, char** argv) {
   if (wanted == "udev") text = stylet::app::udev_rules();
   if (wanted == "table") text = stylet::app::table();
   if (wanted == "windows") text = stylet::app::windows_table();
+  if (wanted == "needles") text = stylet::app::needle_table();
+  if (wanted == "tips") text = stylet::app::tip_table();
+  if (wanted == "devices") text = stylet::app::model_table();
   if (text.empty()) {
-    (void)std::fputs("usage: stylet_driver_texts udev | table | windows\n", stderr);
+    (void)std::fputs(
+        "usage: stylet_driver_texts udev | table | windows | needles | tips | devices\n", stderr);
     return 2;
   }
   return std::fputs(text.c_str(), stdout) < 0 ? 1 : 0;

@@ -196,8 +196,19 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
   CLI::App& doctor =
       *program.add_subcommand("doctor", "Check whether this machine is fit for the loop");
   doctor.footer(
-      "Examples:\n  stylet doctor\n  stylet doctor --measure 60 --replay out.h5\nExit codes: 0 "
+      "Examples:\n  stylet doctor\n  stylet doctor --device udp:7755\n"
+      "  stylet doctor --measure 60 --replay out.h5\nExit codes: 0 "
       "ready, 3 degraded (warnings, or something could not be read), 4 not suitable");
+  auto* device = doctor
+                     .add_option("--device", options.devices,
+                                 "Device to open and to watch for a second, without force: does it "
+                                 "send, how often, how late, what is lost; may be given several "
+                                 "times")
+                     ->type_name("URI")
+                     ->allow_extra_args(false);
+  auto* scene =
+      doctor.add_option("--scene", options.scene, "Scene whose devices are watched in this way")
+          ->type_name("SCENE");
   auto* measure = doctor
                       .add_option("--measure", options.measure_s,
                                   "Measure for this time how late a thread wakes up")
@@ -227,7 +238,9 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
                   "Folder with a copy of another machine's /proc and /sys, to look at instead")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory)
-      ->excludes(measure);
+      ->excludes(measure)
+      ->excludes(device)
+      ->excludes(scene);
   add_json(doctor, options.json, "one JSON object");
 }
 

@@ -11,6 +11,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "hal/app/stop_signal.h"
 #include "hal/device/devices.h"
@@ -73,5 +74,18 @@ inline void close_or_leave(std::span<const hal::Device> devices,
         uri(i));
   }
 }
+
+// A device that is open as long as this lives.
+struct Opened {
+  Opened(std::string uri_in, Opener open)
+      : uri(std::move(uri_in)), device(open_or_stop(uri, open)) {}
+  ~Opened() {
+    close_or_leave(std::span(&device, 1), [this](std::size_t) { return uri; });
+  }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+  const std::string uri;
+  const hal::Device device;
+};
 
 }  // namespace stylet::app

@@ -105,19 +105,19 @@ std::string new_token() {
 
 GateAnswer judge(const GateConfig& config, const Request& request) {
   if (!host_good(config, request.host)) {
-    return {403, "the Host of a request must be the console's address and port"};
+    return {403, "the Host of the request is not the console's address and port"};
   }
   if (!request.origin.empty() && request.origin != "http://" + std::string(request.host)) {
-    return {403, "the Origin of a request must be the console itself"};
+    return {403, "the Origin of the request is not the console itself"};
   }
-  if (request.method != "GET") return {405, "only GET"};
+  if (request.method != "GET") return {405, "only GET requests are answered"};
   const std::size_t mark = request.target.find('?');
   const Known* known = find_place(request.target.substr(0, mark));
-  if (known == nullptr) return {404, "nothing is here"};
+  if (known == nullptr) return {404, "there is nothing at this address"};
   const std::string_view query =
       mark == std::string_view::npos ? std::string_view{} : request.target.substr(mark + 1);
   if (!known->open && !config.token.empty() && !same_secret(token_of(query), config.token)) {
-    return {401, "the token of the address that the console printed is missing or wrong"};
+    return {401, "the token is missing or wrong: use the address that the console printed"};
   }
   return {200, "", known->place};
 }

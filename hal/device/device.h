@@ -68,6 +68,15 @@ inline float watchdog_of(const DeviceInfo& info, float otherwise_s) {
 // two samples of the slowest device.
 constexpr std::int64_t kQuietNs = 2'500'000;
 
+// What became of the packets of a device that sends them, since it was opened.
+struct PacketCount {
+  std::uint64_t came = 0;      // each newer than all before it
+  std::uint64_t late = 0;      // after a newer one, or twice: not used
+  std::uint64_t lost = 0;      // gaps in their numbers, less those that came late
+  std::uint64_t useless = 0;   // with a wrong length, checksum or version
+  bool forces_arrive = false;  // the device has shown that a packet of ours reached it
+};
+
 struct Device {
   void* self = nullptr;
   DeviceInfo info = {};
@@ -85,6 +94,8 @@ struct Device {
   // Any thread but the loop's, before close: what its user should know now, such as a watchdog that
   // is missing or a clock that was set; empty: nothing. The device works all the same.
   std::string (*note)(void* self) = nullptr;
+  // The loop's thread: what became of its packets. Null: it sends none, or none can be lost.
+  PacketCount (*packets)(void* self) = nullptr;
 };
 
 inline std::string trouble_of(const Device& device) {

@@ -30,6 +30,9 @@ std::span<const Check> kernel_checks();     // kernel, clocks, rights, settings 
 std::span<const Check> processor_checks();  // who else may use the processor, and how it sleeps
 std::span<const Check> device_checks();     // USB, and the threads that serve it
 
+// The finding of a check that saw this.
+Finding finding_of(const Check& check, const Seen& seen, const Patient& patient);
+
 inline Seen not_read(const std::string& path) {
   return {Condition::kUnknown, "cannot be read", path};
 }

@@ -39,17 +39,6 @@ void replace_all(string& text, const string& what, const string& with) {
   }
 }
 
-Finding finding_of(const Check& check, const Seen& seen, const Patient& patient) {
-  Finding finding = {check.name,     verdict_of(seen.state, check.severity),
-                     check.severity, seen.value,
-                     seen.source,    ""};
-  if (seen.state == Condition::kGood || seen.state == Condition::kBesides) return finding;
-  finding.remedy = check.remedy;
-  replace_all(finding.remedy, "{cpu}", std::to_string(patient.cpu));
-  replace_all(finding.remedy, "{priority}", std::to_string(patient.priority));
-  return finding;
-}
-
 // ---- what is known of devices only by trying ----------------------------------------------------
 
 Finding device_priority(const Patient& patient) {
@@ -136,6 +125,17 @@ string throttle_path(int cpu) {
 }
 
 }  // namespace
+
+Finding finding_of(const Check& check, const Seen& seen, const Patient& patient) {
+  Finding finding = {check.name,     verdict_of(seen.state, check.severity),
+                     check.severity, seen.value,
+                     seen.source,    ""};
+  if (seen.state == Condition::kGood || seen.state == Condition::kBesides) return finding;
+  finding.remedy = check.remedy;
+  replace_all(finding.remedy, "{cpu}", std::to_string(patient.cpu));
+  replace_all(finding.remedy, "{priority}", std::to_string(patient.priority));
+  return finding;
+}
 
 const char* verdict_name(Verdict verdict) {
   constexpr const char* kNames[] = {"ok", "info", "warn", "fail", "unknown"};

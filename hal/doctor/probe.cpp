@@ -22,6 +22,7 @@ struct Probing {
   Sample last = {};
   bool have = false;
   std::int64_t next_ns = 0;
+  std::int64_t new_ns = 0;  // when the newest sample was seen; 0: none was
 };
 
 void look_at_steps(const Sample& last, const Sample& now, DeviceProbe& out) {
@@ -55,6 +56,8 @@ void look_at(Probing& p, const Sample& now, DeviceProbe& out) {
 void tick(Probing& p, Vec3 force_n, DeviceProbe& out) {
   p.next_ns = std::max(p.next_ns, p.clock.now_ns(p.clock.self) - kPeriodNs) + kPeriodNs;
   p.clock.sleep_until_ns(p.clock.self, p.next_ns);
+  const std::int64_t now_ns = p.clock.now_ns(p.clock.self);
+  out.latest_tick_ns = std::max(out.latest_tick_ns, now_ns - p.next_ns);
   MotorReport motor;
   if (p.device.motor != nullptr && p.device.motor(p.device.self, motor)) {
     guard_motor(p.state, motor);
@@ -63,17 +66,27 @@ void tick(Probing& p, Vec3 force_n, DeviceProbe& out) {
   const bool answered = p.device.read(p.device.self, p.next_ns, now);
   (void)guard_sample(p.guard, p.state, answered, now, p.next_ns);
   ++out.ticks;
+  if (p.new_ns == 0) p.new_ns = now_ns;
+  out.longest_gap_ns = std::max(out.longest_gap_ns, now_ns - p.new_ns);
   if (!answered) {
     ++out.unanswered;
   } else if (p.have && now.seq <= p.last.seq) {
     ++out.repeated;
   } else {
+    p.new_ns = now_ns;
     look_at(p, now, out);
   }
   (void)guard_force(p.guard, p.state, force_n);
   p.device.write(p.device.self, guard_command(p.guard, p.state, guard_start()));
   out.fault = p.state.fault;
   out.refused = cause_of(p.state).why;
+}
+
+PacketCount since(const PacketCount& before, const PacketCount& now) {
+  // A packet that comes late may have been lost before.
+  const std::uint64_t lost = now.lost > before.lost ? now.lost - before.lost : 0;
+  return {now.came - before.came, now.late - before.late, lost, now.useless - before.useless,
+          now.forces_arrive};
 }
 
 // A triangle of force, up and down; the hand's motion is taken at the top.
@@ -100,6 +113,10 @@ void probe_device(const Device& device, double seconds, bool pushes, const Clock
   p.guard.ramp_s = 0;
   p.guard.watchdog_s = watchdog_of(device.info, p.guard.watchdog_s);
   const std::int64_t start_ns = clock.now_ns(clock.self);
+  // What has queued up since the device was opened does not count.
+  Sample queued;
+  (void)device.read(device.self, start_ns, queued);
+  if (device.packets != nullptr) out.packets = device.packets(device.self);
   const auto free_ticks = static_cast<std::uint64_t>(seconds * 1e3);
   while (out.ticks < free_ticks && !stop.load()) tick(p, {}, out);
   constexpr std::array<Vec3, 6> kWays = {
@@ -108,6 +125,7 @@ void probe_device(const Device& device, double seconds, bool pushes, const Clock
     (void)guard_rearm(p.state, p.state.fault);
     out.push[i] = push(p, kWays[i], stop, out);
   }
+  if (out.packets) out.packets = since(*out.packets, device.packets(device.self));
   GuardState torque = guard_start();
   for (bool gone = false; !gone;) {  // a fade, 20 ms at most
     p.next_ns += kPeriodNs;

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "hal/base/clock.h"
 #include "hal/device/device.h"
@@ -24,9 +25,12 @@ struct PushSeen {
 struct DeviceProbe {
   double seconds = 0;
   std::uint64_t ticks = 0, unanswered = 0, repeated = 0, samples = 0, lost = 0;
-  Histogram interval;                // between the times of two samples
-  Histogram age;                     // of a new sample in the tick that reads it
-  std::array<float, 3> step_m = {};  // smallest change seen in each coordinate; 0: no change
+  Histogram interval;                  // between the times of two samples
+  Histogram age;                       // of a new sample in the tick that reads it
+  std::int64_t longest_gap_ns = 0;     // without a new sample, as the ticks saw it
+  std::int64_t latest_tick_ns = 0;     // how late this machine was itself
+  std::optional<PacketCount> packets;  // of a device that sends packets
+  std::array<float, 3> step_m = {};    // smallest change seen in each coordinate; 0: no change
   Vec3 low_m = {}, high_m = {};
   std::uint32_t buttons_seen = 0;     // pressed at least once
   std::array<PushSeen, 6> push = {};  // along +x, -x, +y, ...; no force: not requested

@@ -35,6 +35,8 @@ NOT_RUN = {
     r".*phantom liver .* hal/hosts/godot/project/.*": "for Godot; hosts.godot makes it",
     r"rt-host\.sh --|rt-host/boot\.sh": "changes the machine, as root, or boots one",
     r"apt-get .*|npm .*": "network",
+    r".* NAME:10\.0\.0\.5:7790.*": "needs a device; hal_opened has a stand-in",
+    r"stylet doctor --scene my\.toml": "needs a scene with a device; hal_opened",
     r"stylet bench --results.*": "measures for minutes, where nothing else runs",
     r"tests/bench/growth\.py .*": "counts instructions for minutes; bench.growth does it shortly",
     r"hal/console/pictures\.py|hal/scenes/play\.py --pictures": "draws for minutes; check.pictures",

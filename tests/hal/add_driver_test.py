@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A driver is one file and one line: this adds one to a copy of the source, touches nothing else,
-and runs the example's loop with a device of the new driver.
+and runs the example's loop with a device of the new driver. It also adds the driver for a network
+that hal/device/own_driver.md has people copy, by the steps of that page.
 
 usage: add_driver_test.py SOURCE ORGAN
 """
@@ -64,8 +65,13 @@ class AddDriver(unittest.TestCase):
                                 ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
             shutil.copy(SOURCE / "CMakeLists.txt", copy)
             (copy / "hal/device/drivers/still.cpp").write_text(DRIVER)
+            for suffix in "cpp", "h":
+                text = (copy / f"hal/device/example_driver.{suffix}").read_text()
+                (copy / f"hal/device/drivers/plumb.{suffix}").write_text(
+                    text.replace("hal/device/example_driver.h", "hal/device/drivers/plumb.h"))
             with (copy / "hal/device/drivers.inc").open("a") as drivers:
-                drivers.write("STYLET_DRIVER(still, still_driver)\n")
+                drivers.write("STYLET_DRIVER(still, still_driver)\n"
+                              "STYLET_LINUX_DRIVER(plumb, plumb_driver)\n")
             build = copy / "build"
             run("cmake", "-S", copy, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
                 "-DSTYLET_WITH_OFFLINE=OFF", "-DSTYLET_WITH_TESTS=OFF",
@@ -75,6 +81,9 @@ class AddDriver(unittest.TestCase):
             self.assertRegex(run(program, ORGAN, "still:"),
                              r"^a stylus at rest: 45[01] ticks, .* none$")
             self.assertEqual(subprocess.run([program, ORGAN, "moving:"]).returncode, 1)
+            refused = subprocess.run([program, ORGAN, "plumb:here"], capture_output=True, text=True)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("plumb:here: expected ADDRESS:PORT", refused.stdout + refused.stderr)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "hal/base/host_tree.h"
+#include "hal/device/link.h"
 #include "hal/doctor/measure.h"
 
 namespace stylet::hal {
@@ -466,14 +467,19 @@ struct Said {
   std::string out;
 };
 
-Said doctor(const Machine& machine, const std::string& arguments) {
-  const fs::path out = fs::path(machine.root()) / "said";
-  const std::string command = std::string(STYLET_PROGRAM) + " doctor --root '" + machine.root() +
-                              "' " + arguments + " > '" + out.string() + "' 2>&1";
+// `folder` is where its output goes.
+Said call(const std::string& arguments, const Machine& folder) {
+  const fs::path out = fs::path(folder.root()) / "said";
+  const std::string command =
+      std::string(STYLET_PROGRAM) + " doctor " + arguments + " > '" + out.string() + "' 2>&1";
   const int status = std::system(command.c_str());
   std::ostringstream text;
   text << std::ifstream(out).rdbuf();
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text.str()};
+}
+
+Said doctor(const Machine& machine, const std::string& arguments) {
+  return call("--root '" + machine.root() + "' " + arguments, machine);
 }
 
 TEST(Program, ExitCodeIsTheVerdict) {
@@ -506,6 +512,25 @@ TEST(Program, JsonHasEveryFinding) {
       EXPECT_TRUE(each.contains(key)) << key;
     }
   }
+}
+
+// Of this machine, since a captured one cannot be asked. Its other findings are whatever they are.
+TEST(Program, OpensTheDevicesItIsAskedAbout) {
+  const std::string port = std::to_string(20000 + getpid() % 12000);
+  const Link taken = udp_listen(port);
+  const Machine folder("");
+  const Said said = call("--json --device udp:" + port, folder);
+  taken.close(taken.self);
+  EXPECT_EQ(said.exit_code, 4);
+  std::string value;
+  const auto findings = nlohmann::json::parse(said.out.substr(said.out.find('{')))["findings"];
+  for (const auto& each : findings) {
+    if (each["name"] == "device opens") value = each["value"];
+  }
+  EXPECT_EQ(value, "Address already in use");
+  EXPECT_EQ(call("--device nothing:1", folder).exit_code, 1);
+  EXPECT_EQ(call("--scene fig09-force-curve", folder).exit_code, 1);  // it names no device
+  EXPECT_EQ(doctor(folder, "--device udp:" + port).exit_code, 2);
 }
 
 }  // namespace

@@ -186,7 +186,8 @@ class StationHand {
   StationHand(const StationHand&) = delete;
   StationHand& operator=(const StationHand&) = delete;
 
-  std::atomic<bool> begun{false};  // stalls may come
+  std::atomic<bool> begun{false};        // stalls may come
+  std::atomic<bool> acknowledges{true};  // somebody acknowledges its faults
   StationState state = station_start(5);
 
  private:
@@ -205,7 +206,9 @@ class StationHand {
       guard_late(state.guard, clock.now_ns(clock.self) - next_ns);
       station_tick(config, state, device_, weather_.link(), next_ns);
       weather_.flush();
-      if (weather_.draw.chance(0.02)) (void)guard_rearm(state.guard, state.guard.fault);
+      if (acknowledges && weather_.draw.chance(0.02)) {
+        (void)guard_rearm(state.guard, state.guard.fault);
+      }
     }
     for (bool gone = false; !gone; next_ns += kMs) {
       clock.sleep_until_ns(clock.self, next_ns);

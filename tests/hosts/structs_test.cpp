@@ -377,7 +377,7 @@ TEST_F(Structs, RefusalsSayPlaceAndValue) {
          STYLET_STRUCT_SIZE_UNKNOWN, "needle.struct_bytes", sizeof(Longer), 1,
          "needle.struct_bytes [1]: " + std::to_string(sizeof(Longer)) +
              ": expected sizeof the struct, here " + std::to_string(sizeof(stylet_needle)) +
-             "; behind that zeros");
+             ", and zeros behind that");
 
   std::array<char, 100> memory = {};
   expect(stylet_simulation_create_in(organ_, nullptr, nullptr, 0, memory.data(), memory.size(),
@@ -389,7 +389,8 @@ TEST_F(Structs, RefusalsSayPlaceAndValue) {
   for (int i = 0; i < 3; ++i) (void)stylet_simulation_tick(made, nullptr, 0, nullptr, 0);
   expect(stylet_simulation_set_obstacles(made, nullptr, 0, &why), STYLET_OBSTACLES_TOO_LATE,
          "obstacles", 3, 0,
-         "obstacles: 3: expected 0 ticks so far: before the first one, or after a reset");
+         "obstacles: 3: expected 0 ticks: obstacles are set before the first tick, or after a "
+         "reset");
   stylet_simulation_free(made);
   expect(stylet_simulation_set_obstacles(nullptr, nullptr, 0, &why), STYLET_ARGUMENT_MISSING,
          "simulation", 0, 0, "simulation: null: expected a pointer");

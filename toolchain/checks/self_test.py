@@ -349,11 +349,17 @@ class Links(Sample):
 class Drivers(Sample):
     README = f"before\n{drivers.BEGIN}| a |\n{drivers.END}behind\n"
 
-    def faults(self, udev="rules\n", table="| a |\n", readme=README, windows="| a |\n"):
+    BY_NAME = "".join(f"before\n{drivers.BEGIN}| {each} |\n{drivers.END}"
+                      for each in ("needles", "tips", "devices")) + "behind\n"
+
+    def faults(self, readme=README, by_name=BY_NAME, **other):
+        """With the tables of a program that says what the files say, except for `other`."""
+        says = {"udev": "rules\n", "table": "| a |\n", "windows": "| a |\n", **other}
         self.write(drivers.RULES, "rules\n")
         self.write(drivers.README, readme)
         self.write(drivers.WINDOWS, self.README)
-        return drivers.faults(self.top, udev, table, windows)
+        self.write(drivers.BY_NAME, by_name)
+        return drivers.faults(self.top, lambda word: says.get(word, f"| {word} |\n"))
 
     def test_accepts_what_the_drivers_say(self):
         self.assertEqual(list(self.faults()), [])
@@ -365,9 +371,17 @@ class Drivers(Sample):
                         drivers.README)
         self.expect_one(self.faults(windows="| b |\n"), drivers.WINDOWS)
 
+    def test_refuses_a_name_that_the_page_lacks_and_another_number(self):
+        for table in "needles", "tips", "devices":
+            self.expect_one(self.faults(**{table: f"| {table} |\n| one more |\n"}), drivers.BY_NAME)
+            self.expect_one(self.faults(by_name=self.BY_NAME.replace(f"| {table} |", "| 8 |")),
+                            drivers.BY_NAME)
+
     def test_refuses_a_page_without_the_table(self):
         with self.assertRaises(ValueError):
             list(self.faults(readme="| a |\n"))
+        with self.assertRaises(ValueError):
+            list(self.faults(by_name=self.BY_NAME + self.README))
 
 
 class Repeated(Sample):
@@ -514,6 +528,8 @@ class Constants(Sample):
         self.assertEqual(len(list(sensitivity.faults(constants, values, table))), 4)
         played = table.replace("|  |  |  |", "| 0 | 0 |  |").replace("| 8 |", "| 9 |")
         self.expect_one(sensitivity.faults(constants, values, played), "rate_per_s", "9")
+        stale = table.replace("|  |  |  |", "| 0 | 0 |  |") + "more\n"
+        self.expect_one(sensitivity.faults(constants, values, stale), "texts are not those of")
         listed_only = table.replace("|  |  |  |", "| 0 | 0 |  |").replace("`kB`, ", "`kF`, ")
         found = list(sensitivity.faults(constants, values, listed_only))
         self.assertEqual([("kB" in each, "kF" in each) for each in found],

@@ -32,7 +32,7 @@ if(TARGET stylet_hal)
   install(DIRECTORY hal/hosts/c/include/stylet DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(DIRECTORY hal/base hal/device hal/guard hal/loop
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stylet-hal/hal
-    FILES_MATCHING PATTERN "*.h" PATTERN "*.inc")
+    FILES_MATCHING PATTERN "*.h" PATTERN "*.inc" PATTERN example_driver.h EXCLUDE)
   set_target_properties(stylet_hal PROPERTIES EXPORT_NAME hal)
   install(TARGETS stylet_hal EXPORT stylet)
   install(TARGETS stylet_shared EXPORT stylet

@@ -65,6 +65,11 @@ void follow_clock(PeerDevice& peer, const SamplePacket& packet, std::int64_t now
   peer.clock_sets.fetch_add(1, std::memory_order_relaxed);
 }
 
+void count_late(PacketCount& packets) {
+  ++packets.late;
+  if (packets.lost > 0) --packets.lost;
+}
+
 // True if it is the newest sample of the session that counts.
 bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
   if (packet.t_ns < -kMostTimeNs || packet.t_ns > kMostTimeNs) return false;
@@ -78,11 +83,15 @@ bool accept(PeerDevice& peer, const SamplePacket& packet, std::int64_t now_ns) {
     peer.doubt_ns = 0;
     ++peer.seq;
   } else {
+    if (!another && packet.seq <= peer.newest.seq) count_late(peer.packets);
     if (another || packet.seq <= peer.newest.seq) return false;
+    peer.packets.lost += packet.seq - peer.newest.seq - 1;
     peer.seq += packet.seq - peer.newest.seq;
     follow_clock(peer, packet, now_ns);
   }
   if (packet.echo != 0 && packet.echo != peer.newest.echo) peer.echo_ns = now_ns;
+  ++peer.packets.came;
+  peer.packets.forces_arrive |= packet.echo > peer.first_sent && packet.echo <= peer.sent;
   peer.heard = true;
   peer.heard_ns = now_ns;
   peer.newest = packet;
@@ -101,7 +110,9 @@ void drain(PeerDevice& peer, std::int64_t now_ns) {
     const std::optional<std::size_t> size = peer.link.receive(peer.link.self, room);
     if (!size) return;
     const auto bytes = std::span(room).first(*size);
-    const bool good = decode(bytes, packet) && accept(peer, packet, now_ns);
+    const bool whole = decode(bytes, packet);
+    if (!whole && !bytes.empty()) ++peer.packets.useless;
+    const bool good = whole && accept(peer, packet, now_ns);
     if (good && peer.link.answer != nullptr) peer.link.answer(peer.link.self);
     const std::uint16_t version = packet_version(bytes);
     if (version != 0 && version != kPacketVersion) peer.other_version = version;
@@ -246,6 +257,7 @@ Device peer_device(PeerDevice& peer, bool close_frees) {
   Device device = {&peer, peer.info, read, write, close_frees ? close_and_free : close, trouble};
   device.motor = motor;
   device.note = note;
+  device.packets = [](void* self) { return static_cast<const PeerDevice*>(self)->packets; };
   return device;
 }
 
@@ -253,8 +265,11 @@ Device open_udp(const std::string& rest, double patience_s) {
   return wait_for_peer(udp_listen(rest), "udp:" + rest, patience_s);
 }
 
+// Shared memory keeps only the newest sample: one that was replaced before it was read is not lost.
 Device open_shared_memory(const std::string& rest, double patience_s) {
-  return wait_for_peer(shared_memory(rest, Side::kStylet), "shm:" + rest, patience_s);
+  Device device = wait_for_peer(shared_memory(rest, Side::kStylet), "shm:" + rest, patience_s);
+  device.packets = nullptr;
+  return device;
 }
 
 namespace {

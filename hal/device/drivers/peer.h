@@ -62,6 +62,7 @@ struct PeerDevice {
   std::int64_t echo_ns = 0;  // when an echo last showed a newer packet of ours; 0: never
   std::array<std::int64_t, kSentKept> sent_ns = {};  // of the newest packets; or a time before
   SamplePacket newest;
+  PacketCount packets = {};
   std::uint16_t other_version = 0;        // of packets that cannot be read
   std::atomic<bool> other_device{false};  // a session with other limits has tried to join
   std::atomic<std::uint32_t> clock_sets{0};

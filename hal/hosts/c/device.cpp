@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Devices of stylet_loop.h: hal's drivers by URI, a caller's own functions, and a computed hand.
+// Devices of stylet_loop.h: hal's drivers by URI, a caller's own functions, and a simulated hand.
 #include <algorithm>
 #include <exception>
 #include <limits>
@@ -122,7 +122,7 @@ stylet_status stylet_device_from_functions(const stylet_device_functions* functi
   std::unique_ptr<c::OwnDevice> self(new (std::nothrow) c::OwnDevice{own});
   if (made == nullptr || self == nullptr) return c::refuse(refusal_out, STYLET_OUT_OF_MEMORY);
   hal::Device& device = made->device;
-  device.info = {"a device of the program", own.max_force_n, own.max_slew_n_per_s};
+  device.info = {"a device of the caller", own.max_force_n, own.max_slew_n_per_s};
   device.info.max_stiffness_n_per_m = own.max_stiffness_n_per_m;
   device.info.continuous_force_n = own.continuous_force_n;
   device.info.max_torque_nm = own.max_torque_nm;
@@ -151,7 +151,7 @@ stylet_status stylet_device_simulated(float travel_m, float speed_m_per_s, float
   auto made = std::make_unique<stylet_device>();
   const hal::DeviceModel& model = hal::unknown_device_model();
   made->device = hal::simulated_hand_device(
-      *hand, {"a computed hand", model.max_force_n, model.max_slew_n_per_s});
+      *hand, {"a simulated hand", model.max_force_n, model.max_slew_n_per_s});
   made->device.close = c::close_computed;
   made->scripted = true;
   (void)hand.release();  // the device's now

@@ -135,7 +135,7 @@ stylet_status take_hands(stylet_loop& loop, stylet_device* const* devices, const
     if (devices[i] == nullptr) return refuse_missing(refusal_out, "devices", i);
     if (devices[i]->taken) {
       return refuse_value(refusal_out, STYLET_ARGUMENT_OUT_OF_RANGE, "devices", i,
-                          "the number of a device that no loop has and no needle before");
+                          "a device that no other loop or needle has", i, "taken");
     }
     stylet_hand hand = default_hand();
     if (hands != nullptr && !take(element(hands, hand_bytes, i), hand_bytes, hand)) {

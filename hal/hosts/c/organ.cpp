@@ -136,7 +136,7 @@ stylet_status stylet_organ_read(const char* path, stylet_organ** organ_out,
   const c::File file(path);
   if (file.stream == nullptr) return unreadable(std::strerror(errno));
   const long long bytes = c::bytes_of(file.stream);
-  if (bytes < 0 || bytes == LLONG_MAX) return unreadable("not a file that can be read");
+  if (bytes < 0 || bytes == LLONG_MAX) return unreadable("this is no file that can be read");
   const auto count = static_cast<std::size_t>(bytes);
   stylet_organ::Block all = c::make_block(std::max<std::size_t>(count, 1));
   if (all == nullptr) return c::refuse(refusal_out, STYLET_OUT_OF_MEMORY);

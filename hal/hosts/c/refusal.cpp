@@ -118,7 +118,7 @@ stylet_status refuse_size(stylet_refusal* refusal_out, const char* place, std::u
   char field[sizeof stylet_refusal::place], expected[sizeof stylet_refusal::expected];
   Line(field) << place << ".struct_bytes";
   Line(expected) << "sizeof the struct, here " << std::uint64_t{known_bytes}
-                 << (bytes > known_bytes ? "; behind that zeros" : "");
+                 << (bytes > known_bytes ? ", and zeros behind that" : "");
   return refuse_value(refusal_out, STYLET_STRUCT_SIZE_UNKNOWN, field, bytes, expected, index);
 }
 

@@ -190,7 +190,7 @@ stylet_status stylet_simulation_set_obstacles(stylet_simulation* simulation,
   if (set == Status::kObstaclesTooLate) {
     return c::refuse_value(refusal_out, STYLET_OBSTACLES_TOO_LATE, "obstacles",
                            static_cast<double>(stats(simulation->kernel).ticks),
-                           "0 ticks so far: before the first one, or after a reset");
+                           "0 ticks: obstacles are set before the first tick, or after a reset");
   }
   if (set != Status::kOk) return c::refuse_config(refusal_out, set, why);
   simulation->obstacle = own;

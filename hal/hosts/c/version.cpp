@@ -56,7 +56,7 @@ const char* stylet_event_name(uint32_t kind) {
 const char* stylet_status_name(stylet_status status) {
   switch (status) {
     case STYLET_ARGUMENT_MISSING:
-      return "a pointer that is needed is null";
+      return "a required pointer is null";
     case STYLET_STRUCT_SIZE_UNKNOWN:
       return "struct_bytes was not set, or a field is set that this library does not know";
     case STYLET_OUT_OF_MEMORY:
@@ -64,13 +64,13 @@ const char* stylet_status_name(stylet_status status) {
     case STYLET_FILE_UNREADABLE:
       return "file cannot be read";
     case STYLET_CONTENT_DAMAGED:
-      return "bytes do not match the sum in the file";
+      return "the bytes do not match the checksum in the file";
     case STYLET_ARGUMENT_OUT_OF_RANGE:
       return "argument out of range";
     case STYLET_DEVICE_FAILED:
       return "device cannot be opened or does not answer";
     case STYLET_LOOP_RUNS:
-      return "a loop has this simulation, or this loop was begun before";
+      return "a loop has this simulation, or this loop was started before";
     default:
       return stylet::status_name(static_cast<stylet::Status>(status));
   }

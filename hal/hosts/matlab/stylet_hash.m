@@ -1,5 +1,5 @@
 % SPDX-License-Identifier: Apache-2.0
-% h = stylet_hash (s)   uint64 of the whole state: the same on every machine for the same ticks
+% h = stylet_hash (s)   hash of the whole state, uint64: the same for the same ticks everywhere
 function h = stylet_hash (s)
   h = stylet_mex ("hash", s.handle);
 end

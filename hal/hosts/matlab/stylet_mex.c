@@ -45,7 +45,7 @@ static mxArray* new_handle(enum kind kind, void* handle) {
   }
   if (kind == ORGAN) stylet_organ_free(handle);
   if (kind == SIMULATION) stylet_simulation_free(handle);
-  fail("4095 organs and simulations are open: expected that some are freed");
+  fail("4095 organs and simulations are open: expected fewer: free some");
   return NULL;
 }
 
@@ -66,7 +66,7 @@ static void* handle_of(const mxArray* value, enum kind kind) {
 }
 
 static const double* columns(const mxArray* value, size_t rows, const char* what, size_t* count) {
-  /* A sparse matrix has fewer numbers than places: what is not there would be read. */
+  /* A sparse matrix has fewer numbers than elements, so numbers behind it would be read. */
   if (!mxIsDouble(value) || mxIsComplex(value) || mxIsSparse(value) || mxGetM(value) != rows) {
     mexErrMsgIdAndTxt("stylet:refused", "%s: expected a full matrix of doubles with %d rows", what,
                       (int)rows);
@@ -185,7 +185,7 @@ static void organ_info(mxArray** out, const mxArray** in) {
   mxFree(corners);
 }
 
-/* What has no length is -z to the library: a mistake would be a needle that points down. */
+/* The library takes a direction without length as -z: after a mistake the needle points down. */
 static const double* direction(const mxArray* value) {
   size_t one;
   const double* way = columns(value, 3, "direction", &one);
@@ -402,5 +402,5 @@ void mexFunction(int out_count, mxArray* out[], int in_count, const mxArray* in[
     commands[i].call(out, in + 1);
     return;
   }
-  mexErrMsgIdAndTxt("stylet:refused", "%s: no command is called so", name);
+  mexErrMsgIdAndTxt("stylet:refused", "%s: expected the name of a command", name);
 }

@@ -3,11 +3,12 @@
 % s = stylet_open (organ_file, needle, config)
 %
 % Opens an organ and makes a simulation with one needle in it. needle and config are structs with
-% the fields of stylet_needle and stylet_config (stylet.h) that are not to have their defaults, for
-% example struct ("bending_nm2", 0.02), or of what breathes struct ("breathing_amplitude_m",
+% those fields of stylet_needle and stylet_config (stylet.h) that differ from their defaults, for
+% example struct ("bending_nm2", 0.02), or for breathing struct ("breathing_amplitude_m",
 % [0 0 0.01], "breathing_period_s", 4). SI units.
 %
-% s.organ has name, voxel_edge_m, low_m, high_m, vertices (3 x n, m), triangles (3 x n, from 1).
+% s.organ has name, voxel_edge_m, low_m, high_m, vertices (3 x n, m) and triangles (3 x n, indices
+% from 1).
 % stylet_close (s) frees both.
 function s = stylet_open (organ_file, needle, config)
   if (nargin < 2) needle = struct (); end

@@ -246,7 +246,7 @@ test(
 
       const other = await serve({protocol: 1});
       const wrong = await open(browser, other.url);
-      await wrong.page.locator('.banner').getByText('protocol 1, this page 2').waitFor();
+      await wrong.page.locator('.banner').getByText('protocol 1, this page protocol 2').waitFor();
       await wrong.page.context().close();
     });
 

@@ -156,7 +156,7 @@ class CSharp(unittest.TestCase):
         same, copy, refused = self.ask("batch")
         self.assertEqual(same, "True True True 200")
         self.assertEqual(copy, "200 201")
-        self.assertIn("3 inputs, 2 outputs: expected as many", refused)
+        self.assertIn("3 inputs, 2 outputs: expected as many of both", refused)
 
     def test_a_guard(self):
         cut, field, model = self.ask("guard")

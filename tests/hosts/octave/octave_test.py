@@ -152,7 +152,7 @@ class Octave(unittest.TestCase):
                  "direction: expected finite"),
                 (f"stylet_open ({organ}, struct ('rods', {{8, 9}}))", "expected one struct"),
                 ("stylet_mex ('hash', sparse (0))", "expected one number"),
-                ("stylet_mex ('dance')", "no command is called so"),
+                ("stylet_mex ('dance')", "expected the name of a command"),
                 ("stylet_mex ('hash')", "expected 1 arguments")):
             self.assertIn(said, self.refused(text), text)
 

@@ -141,8 +141,9 @@ class Environments(unittest.TestCase):
                 ("needle of list", [GOAL], {"needle": [stylet.Needle()] * 2}),
                 ("target 'a': at_m", [stylet.Target("a", (math.nan, 0, 0), radius_m)], {}),
                 ("target 'a': radius_m = -1", [stylet.Target("a", at, -1)], {}),
-                ("targets: none", [stylet.Target("a", at, radius_m, forbidden=True)], {}),
-                ("targets: none", [], {})):
+                ("targets: all are forbidden, or there are none",
+                 [stylet.Target("a", at, radius_m, forbidden=True)], {}),
+                ("targets: all are forbidden, or there are none", [], {})):
             with self.assertRaisesRegex((ValueError, TypeError), words):
                 stylet.NeedleEnv(organ(), targets, **options)
 

@@ -170,7 +170,7 @@ class Recording(unittest.TestCase):
         changed = folder() / "changed.h5"
         changed.write_bytes(recorded("one", ONE).read_bytes())
         for attribute, value, words in (("final_state_hash", 1, "state "),
-                                        ("lost_records", 3, "not whole"),
+                                        ("lost_records", 3, "incomplete"),
                                         ("organ_hash", 5, "organ 0000000000000005"),
                                         ("format_version", 3, "expected stylet-recording 6")):
             with h5py.File(changed, "r+") as file:

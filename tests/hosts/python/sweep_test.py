@@ -248,7 +248,7 @@ class Sweep(unittest.TestCase):
                      interrupted)
         self.refuses("function is .*half_of_odd, and here .*deadly", functools.partial(deadly))
         # It has the same name but is another function: it gives no column of the table.
-        self.refuses("has the results half, and the function gives other: expected that which",
+        self.refuses("has the results half, and the function gives other: expected the function",
                      functools.wraps(half_of_odd)(lambda i: {"other": i}))
         table = stylet.read_table(self.path())[0]
         np.testing.assert_array_equal(table["half"], [0, 0.5, 1, np.nan, 2])
@@ -293,14 +293,14 @@ class Sweep(unittest.TestCase):
                 (lambda file: file.__delitem__("results/half"), "column half is missing"),
                 (lambda file: file.__delitem__("parameters/i"), "column i is missing"),
                 (lambda file: file.__setitem__("results/mine", np.zeros(5)),
-                 "column mine is none of this table's"),
+                 "column mine is not of this table"),
                 (lambda file: (file.__delitem__("results/half"),
                                file.__setitem__("results/half", np.zeros(4))),
                  "column half: expected 5 rows of numbers or texts"),
                 (lambda file: (file.__delitem__("results/half"), file.create_group("results/half")),
                  "column half: expected 5 rows"),
-                (lambda file: file.__delitem__("rows/done"), "is no table of sweep"),
-                (lambda file: file.attrs.__delitem__("columns"), "is no table of sweep")):
+                (lambda file: file.__delitem__("rows/done"), "not a table of sweep"),
+                (lambda file: file.attrs.__delitem__("columns"), "not a table of sweep")):
             stylet.sweep(half_of_odd, {"i": range(5)}, 0, path=self.path())
             with h5py.File(self.path(), "r+") as file:
                 change(file)

@@ -97,7 +97,7 @@ class Refusals(unittest.TestCase):
                 (lambda: stylet.VectorNeedleEnv([]), "environments: none: expected one at least"),
                 (lambda: stylet.VectorNeedleEnv([environment(), environment(ticks_of_step=3)]),
                  "environments: ticks_of_step [20, 3]: expected the same of all"),
-                (lambda: environment().step(np.zeros(6)), "expected a call of reset before"),
+                (lambda: environment().step(np.zeros(6)), "expected a call of reset first"),
                 (lambda: stylet.Box(1, 0), "low = 1.0, high = 0.0: expected low up to high"),
                 (lambda: stylet.draw({}, -1, 1), "count = -1: expected 1 or more"),
                 (lambda: stylet.sweep(dict, [{"a": 1}, {"b": 1}], workers=0),
@@ -113,7 +113,7 @@ class Refusals(unittest.TestCase):
 
     def test_of_a_scenes_targets_name_the_key(self):
         scene = folder() / "targets.toml"
-        for text, words in (("", "no [[targets]]: expected one"),
+        for text, words in (("", "no [[targets]]: expected at least one"),
                             ('[[targets]]\nname = "a"\nat_mm = [0, 0, 0]', "targets[0].radius_mm"),
                             ('[[targets]]\nname = "a"\nat_mm = [0, 0]\nradius_mm = 1',
                              "targets[0].at_mm of shape (2,): expected 3 numbers"),

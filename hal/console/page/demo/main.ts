@@ -40,24 +40,24 @@ const send = (message: ToEngine, transfer: Transferable[] = []) =>
 
 const words = el('p', {class: 'words'});
 const choice =
-    el('select', {'aria-label': 'What the needle goes into'},
+    el('select', {'aria-label': 'Scene: what the needle goes into'},
        ...kScenes.map(({name}, i) => el('option', {value: i}, name)));
 const again = button('Start again', () => void begin(), {class: 'primary'});
 const hint = el('p', {class: 'hint', role: 'status'});
 const slow = el('p', {class: 'slow', hidden: true, role: 'status'});
 const steps = el('span', {
   title:
-      'A tick is a millisecond where the machine has room for that, else 1.5 or 2: forces stay ' +
-      'the same, thin skins become heavier.'
+      'A tick is a millisecond of simulated time if the machine is fast enough, otherwise 1.5 or ' +
+      '2 milliseconds. The forces stay the same; thin skins become heavier.'
 });
 const hash = el('p', {class: 'hash quiet-text'});
 const verdict = el('p', {role: 'status'});
-const prove = button('Compute it here, too', () => void proveBits());
+const prove = button('Compute it here as well', () => void proveBits());
 const proof = panel(
     'proof', 'The same bits as the desktop', 'teacher',
     el('p', {class: 'quiet-text'},
-       'An insertion of 2101 ticks into this liver, computed by the program on a desktop with ' +
-           'AVX instructions, ended in this state:'),
+       'The program has computed an insertion of 2101 ticks into this liver, on a desktop with ' +
+           'AVX instructions. This is the hash of the state at the end:'),
     hash, prove, verdict);
 say(hash, desktopHash.trim());
 // Held as long as it is to roll; Q and E do the same.
@@ -218,7 +218,7 @@ if (scene.begin()) {
   Object.assign(controls.mouseButtons, {LEFT: null, RIGHT: 0});
   Object.assign(controls.touches, {ONE: null, TWO: 3});
 } else {
-  say(hint, 'This browser offers no WebGL 2: there are forces and plots, but no picture.');
+  say(hint, 'This browser has no WebGL 2: the page shows forces and plots, but no 3D view.');
 }
 const pace = new Pace(scene.view?.byGpu ?? true);
 void begin();

@@ -42,8 +42,8 @@ const kBevelled = {
 export const kScenes: Scene[] = [
   {
     name: 'Liver',
-    tells: 'A liver with its capsule, 10 702 voxels, and an 18 gauge needle. The capsule dents ' +
-        'until it breaks; then cutting and friction along the shaft are what is felt.',
+    tells: 'A liver with its capsule, made of 10 702 voxels, and an 18 gauge needle. The capsule ' +
+        'is dented until it breaks; after that you feel cutting and friction along the shaft.',
     organ: liver,
     needle: k18G,
     at: [0, 0.5, 0.52],
@@ -55,8 +55,8 @@ export const kScenes: Scene[] = [
   },
   {
     name: 'Abdominal wall',
-    tells: 'Skin, fat and muscle over liver. Each layer gives way in its own manner: the force ' +
-        'falls in fat and rises in muscle.',
+    tells: 'Skin, fat and muscle over a liver. Each layer feels different: the force falls in ' +
+        'fat and rises in muscle.',
     organ: wall,
     needle: k18G,
     at: [0, 0.5, 0.5],
@@ -69,8 +69,8 @@ export const kScenes: Scene[] = [
   {
     name: 'Steering',
     tells:
-        'A wire with a bevelled tip, in stiff gel. Its way bends to one side; rolled as it goes ' +
-        '(hold the buttons, Q and E, or shift and wheel), it can be steered.',
+        'A wire with a bevelled tip, in stiff gel. Its path bends to one side. You steer it by ' +
+        'rolling it while it goes in (hold the buttons, or Q and E, or Shift and the wheel).',
     organ: gel,
     needle: kBevelled,
     at: [0, 0.5, 0.5],

@@ -17,16 +17,17 @@ export const texts = {
     connecting: 'Connecting',
     open: 'Connected',
     lost: (seconds: number) =>
-        `Connection lost: nothing here is live. Next try in ${Math.max(0, Math.ceil(seconds))} s.`,
-    trying: 'Connection lost: nothing here is live. Trying again now.',
+        `Connection lost: this page shows nothing live. Next try in ${
+            Math.max(0, Math.ceil(seconds))} s.`,
+    trying: 'Connection lost: this page shows nothing live. Trying again now.',
     retry: 'Try now',
     protocol: (theirs: number, ours: number) =>
-        `The program speaks protocol ${theirs}, this page ${ours}. Load the page again from the ` +
-        'program that runs.',
+        `The program uses protocol ${theirs}, this page protocol ${ours}. Load the page again ` +
+        'from the running program.',
     reload: 'Load again',
-    garbled: 'A message of the program could not be read, and was left out.',
+    garbled: 'A message from the program could not be read and was skipped.',
     organ: (why: string) => `The organ could not be shown: ${why}.`,
-    webgl: 'This browser offers no WebGL 2: there are plots, but no 3D view.',
+    webgl: 'This browser has no WebGL 2: the page shows plots, but no 3D view.',
     waiting: 'Waiting for the program',
   },
 
@@ -48,8 +49,8 @@ export const texts = {
   view3d: {
     label: '3D view',
     canvas:
-        '3D view of organ and needle. Arrow keys turn, plus and minus go nearer and away, 1 to 5 ' +
-        'choose a point of view.',
+        '3D view of organ and needle. Arrow keys turn the view, plus and minus move nearer and ' +
+        'farther away, 1 to 5 choose a point of view.',
     toolbar: 'What the 3D view shows',
     presets: {
       side: 'Side',
@@ -64,9 +65,9 @@ export const texts = {
     lattice: 'Lattice',
     particles: 'Particles',
     cut: 'Cut open',
-    cutAt: 'Place of the cut',
+    cutAt: 'Position of the cut',
     frameRate: (rate: number) => (rate > 0 ? `${rate} fps` : 'at rest'),
-    frameRateLabel: 'Pictures drawn in the last second',
+    frameRateLabel: 'Frames drawn in the last second; at rest: nothing moves',
     legendParticle: 'Constraint particle',
     legendGoal: 'Its goal',
     legendLattice: 'Voxel lattice',
@@ -129,7 +130,7 @@ export const texts = {
 
   loop: {
     heading: 'Loop',
-    tick: 'Time of a tick',
+    tick: 'Duration of a tick',
     late: 'Lateness',
     ticksAxis: 'Ticks',
     usAxis: 'us',
@@ -148,7 +149,7 @@ export const texts = {
       deform: 'Deform',
       bodies: 'Needle and particles',
       caps: 'Faces of the cut',
-      face: 'Leave out what faces away',
+      face: 'Skip faces turned away',
       draw: 'Draw',
       plots: 'Plots'
     },
@@ -160,7 +161,7 @@ export const texts = {
       'input not finite',
       'input clamped',
       'input missing',
-      'particle pool full',
+      'constraint particle pool full',
       'voxel pool full',
       'contact budget',
       'obstacle pool full',
@@ -175,11 +176,11 @@ export const texts = {
 
   playback: {
     heading: 'Recording',
-    position: 'Place in the recording',
+    position: 'Position in the recording',
     play: 'Play',
-    hold: 'Hold',
+    hold: 'Pause',
     back: 'One tick back',
-    forward: 'One tick on',
+    forward: 'One tick forward',
     speed: 'Speed',
     speedOf: (speed: number) => (speed === 1 ? 'as recorded' : `${speed} x`),
     at: (now: string, end: string) => `${now} of ${end} s`,
@@ -203,23 +204,23 @@ export const texts = {
     lines: {
       trainee: 'Trainee',
       began: 'Began',
-      duration: 'Time',
-      path: 'Way of the tip',
-      depthPath: 'of it in tissue',
+      duration: 'Duration',
+      path: 'Path of the tip',
+      depthPath: 'part of it in tissue',
       punctures: 'Punctures',
       withdrawals: 'Withdrawals',
       targets: 'Targets reached',
       forbidden: 'Forbidden zones touched',
       closest: 'Closest to a target',
       peakForce: 'Peak force',
-      peakLateral: 'Peak force across',
+      peakLateral: 'Peak sideways force',
       meanForce: 'Mean force in tissue',
       faults: 'Faults of the guard',
       recording: 'Recording',
     },
     of: (reached: number, all: number) => `${reached} of ${all}`,
     puncture: (layer: string, force: string) => `${layer} at ${force}`,
-    notKept: 'not kept',
+    notKept: 'not saved',
     dash: '-',
   },
 
@@ -229,7 +230,7 @@ export const texts = {
     second: 'Second',
     difference: 'Difference',
     what: 'Quantity',
-    need: 'Two finished attempts can be compared here.',
+    need: 'After two finished attempts, they can be compared here.',
     plot: 'Force against depth, two attempts',
   },
 
@@ -254,15 +255,17 @@ export const texts = {
   },
 
   pointer: {
-    heading: 'Needle by pointer',
+    heading: 'Needle held by mouse or finger',
     hold: 'Hold the needle',
     letGo: 'Let go',
     help:
-        'Drag up to push and down to pull, sideways to move aside, wheel to roll. Keys: W and S ' +
-        'push and pull, A and D aside, R and F up and down, Q and E roll; Shift is slow.',
+        'Drag up to push and down to pull, drag sideways to move sideways, turn the wheel to ' +
+        'roll. Keys: W and S push and pull, A and D move sideways, R and F up and down, Q and E ' +
+        'roll; hold Shift to move slowly.',
     pad: 'Needle: drag up to push, down to pull; keys W S A D R F Q E',
     advance: (mm: number) =>
-        mm < 0 ? `Tip ${(-mm).toFixed(1)} mm before the skin` : `Tip ${mm.toFixed(1)} mm past it`,
+        mm < 0 ? `Tip ${(-mm).toFixed(1)} mm before the skin` :
+                 `Tip ${mm.toFixed(1)} mm past the skin`,
     roll: (deg: number) => `Roll ${deg.toFixed(0)} deg`,
     home: 'Back to the start',
   },
@@ -274,14 +277,14 @@ export const texts = {
     keys: [
       ['Tab, Shift+Tab', 'next and previous control'],
       ['Alt+1 to Alt+4', 'trainee, teacher, engineer, report'],
-      ['Space', 'start, pause, resume; in a recording play and hold'],
-      ['M', 'write a mark'],
+      ['Space', 'start, pause, resume; in a recording: play and pause'],
+      ['M', 'write a note at this moment (a mark)'],
       ['Arrows', 'in the 3D view: turn; in a plot or on the scrub bar: move the cursor'],
-      ['+ and -', 'in the 3D view: nearer, away'],
+      ['+ and -', 'in the 3D view: nearer, farther away'],
       ['1 to 5', 'in the 3D view: side, oblique, behind, above, tip'],
       ['X, L, P, C', 'in the 3D view: x-ray, lattice, particles, cut'],
-      ['W S A D R F Q E', 'on the needle pad: push, pull, aside, up, down, roll'],
-      ['?', 'these keys'],
+      ['W S A D R F Q E', 'on the needle pad: push, pull, sideways, up, down, roll'],
+      ['?', 'show these keys'],
     ],
   },
 

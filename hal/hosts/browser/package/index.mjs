@@ -2,8 +2,8 @@
 // Stylet in JavaScript: organs, needles in them, the force on the hand. The functions are those of
 // the interface in C (stylet.h), as methods; structs are objects with the same names of fields.
 //
-// Units: SI. Frame: the organ's at rest, right-handed. Arrays of places are Float32Array with x, y,
-// z one after the other. Arrays and objects that a method returns are the caller's.
+// Units: SI. Frame: the organ's at rest, right-handed. Arrays of places are Float32Array with x, y
+// and z one after the other. Arrays and objects that a method returns belong to the caller.
 import { constants, structs } from "./layout.mjs";
 import { hash_text, Memory, number, StyletError } from "./memory.mjs";
 import { Helpers, may_share } from "./threads.mjs";
@@ -32,8 +32,8 @@ function list_of(value, most, name) {
   return value;
 }
 
-// Numbers that the library holds and the page must give back. What is forgotten goes with its page;
-// what the collector finds unused is freed.
+// Handles that the library holds and the page should free. What the garbage collector finds unused
+// is freed, too, and everything goes with its page.
 const forgotten = new FinalizationRegistry(({ exports, kind, handle }) => {
   if (kind === ORGAN) exports.stylet_organ_free(handle);
   else exports.stylet_simulation_free(handle);
@@ -48,7 +48,7 @@ class Handle {
   }
 
   get at() {
-    if (this.#at === 0) throw new StyletError("was freed");
+    if (this.#at === 0) throw new StyletError("this organ or simulation was freed");
     return this.#at;
   }
 
@@ -141,12 +141,12 @@ export class Stylet {
     this.#helpers = helpers;
   }
 
-  /** How many share a tick. */
+  /** How many threads share a tick. */
   get threads() {
     return 1 + (this.#helpers?.count ?? 0);
   }
 
-  /** Ends all threads but the caller's, which then does all by itself. */
+  /** Ends all threads except the caller's, which then does everything alone. */
   end_threads() {
     this.#helpers?.end();
     this.#helpers = null;
@@ -168,7 +168,7 @@ export class Stylet {
     return this.memory.text(this.exports.stylet_event_name(kind));
   }
 
-  /** The defaults, with what `values` changes. */
+  /** The defaults, with the changes in `values`. */
   config(values = {}) {
     return this.#defaults("stylet_config", "stylet_config_init", values);
   }
@@ -189,7 +189,7 @@ export class Stylet {
     return this.#shaped("stylet_obstacle_sphere", radius_m, values);
   }
 
-  /** An organ file's bytes; checks structure, values and the sum that the file holds of itself. */
+  /** Reads an organ from the bytes of its file; checks structure, values and checksum. */
   organ(bytes) {
     const data = bytes_of(bytes, "organ");
     const { memory, exports } = this;
@@ -226,7 +226,7 @@ export class Stylet {
     return simulation;
   }
 
-  /** The pose whose unbent needle has its tip here and points there; -z without a direction. */
+  /** The pose at which an unbent needle has its tip at tip_m and points in this direction. */
   pose_of_tip(tip_m, direction, length_m) {
     const { memory } = this;
     const part = structs.stylet_vec3.bytes;
@@ -382,7 +382,7 @@ export class Organ {
       (at, most) => library.exports.stylet_organ_cubes(this.handle.at, at, most));
   }
 
-  /** Distance along a ray to the surface at rest; null: it does not meet it. */
+  /** Distance along a ray to the surface at rest; null: the ray does not meet it. */
   raycast(origin_m, direction) {
     const { library } = this, { memory } = library, part = structs.stylet_vec3.bytes;
     return memory.with_room(2 * part + 4, (at) => {
@@ -394,7 +394,7 @@ export class Organ {
     });
   }
 
-  /** Simulations that were made from it go on. */
+  /** Simulations that were made from it stay valid. */
   free() {
     this.handle.release((at) => this.library.exports.stylet_organ_free(at));
   }
@@ -419,7 +419,7 @@ export class Simulation {
     }
   }
 
-  /** One tick: poses[i] = { position_m, rotation } moves needle i, null leaves it (and counts).
+  /** One tick: poses[i] = { position_m, rotation } moves needle i, null leaves it.
    * Returns what the hands feel, one object for each needle. */
   tick(poses) {
     return this.run([poses])[0];
@@ -451,7 +451,7 @@ export class Simulation {
     this.library.check(this.library.exports.stylet_simulation_reset(this.handle.at));
   }
 
-  /** Bodies that no needle enters, instead of those given before; before the first tick only. */
+  /** Bodies that no needle enters; they replace those given before. Only before the first tick. */
   set_obstacles(obstacles) {
     const { library } = this;
     list_of(obstacles, Infinity, "obstacles");
@@ -472,7 +472,7 @@ export class Simulation {
       library.exports.stylet_simulation_needle_shape(this.handle.at, needle, at, most));
   }
 
-  /** How far each particle of the lattice is from its place at rest. */
+  /** The displacement of each particle of the lattice from its place at rest. */
   particles() {
     return this.#numbers("stylet_simulation_particles");
   }
@@ -505,7 +505,7 @@ export class Simulation {
     return this.#filled("stylet_energy", "stylet_simulation_get_energy");
   }
 
-  /** Of a material: its mass, and its mass in the step, in kg. */
+  /** The mass of a material, and the mass that the step computes with, in kg. */
   mass(material) {
     const { library } = this;
     return library.memory.with_room(8, (at) => {
@@ -516,7 +516,7 @@ export class Simulation {
     });
   }
 
-  /** Of the whole state, as 16 hexadecimal digits: the same on every machine. */
+  /** The hash of the whole state, 16 hexadecimal digits: the same on every machine. */
   hash() {
     return hash_text(this.library.exports.stylet_simulation_hash(this.handle.at));
   }
@@ -530,7 +530,7 @@ export class Simulation {
     });
   }
 
-  /** Any bytes that are not a snapshot of this organ, configuration and obstacles are refused. */
+  /** Refuses bytes that are not a snapshot with this organ, configuration and obstacles. */
   restore(snapshot) {
     const { library } = this, data = bytes_of(snapshot, "snapshot");
     library.memory.with_room(data.length, (at) => {

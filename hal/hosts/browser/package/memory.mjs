@@ -33,7 +33,9 @@ export class Memory {
   }
 
   allocate(bytes) {
-    if (!Number.isSafeInteger(bytes) || bytes < 0) throw new TypeError(`room for ${bytes} bytes`);
+    if (!Number.isSafeInteger(bytes) || bytes < 0) {
+      throw new TypeError(`bytes: ${bytes}: expected a whole number`);
+    }
     const at = this.exports.malloc(Math.max(bytes, 1));
     if (at === 0) throw new StyletError(`no memory for ${bytes} bytes`);
     return at;
@@ -111,7 +113,7 @@ export class Memory {
       case "f64": view.setFloat64(at, v, true); break;
       default: {
         if (!Number.isInteger(v) || v < 0 || v >= 2 ** (8 * SIZES[kind])) {
-          throw new TypeError(`${name}: ${v}: expected a whole number from 0 on`);
+          throw new TypeError(`${name}: ${v}: expected a whole number, 0 or more`);
         }
         if (kind === "u8") view.setUint8(at, v);
         else if (kind === "u16") view.setUint16(at, v, true);

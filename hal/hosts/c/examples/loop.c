@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A haptic device with the guard in its loop, from C: the device of a URI, or a computed hand that
+/* A haptic device with the guard in its loop, from C: the device of a URI, or a simulated hand that
  * pushes 20 mm in and comes back, holds an elastic needle above an organ.
  *
  *   cc loop.c $(pkg-config --cflags --libs stylet) -o loop && ./loop liver.organ [URI] */

@@ -193,7 +193,9 @@ void refuse_objects_without_init(const py::module_& module) {
 
 void refuse_second_init(const py::object& object) {
   auto* const base = reinterpret_cast<PyTypeObject*>(py::detail::get_internals().instance_base);
-  if (PyObject_TypeCheck(object.ptr(), base) == 0) throw py::type_error("no object of this module");
+  if (PyObject_TypeCheck(object.ptr(), base) == 0) {
+    throw py::type_error("expected an object of this module");
+  }
   auto* const instance = reinterpret_cast<py::detail::instance*>(object.ptr());
   if (instance->get_value_and_holder().instance_registered()) {
     throw py::type_error("__init__ of this object was called before: make another one");

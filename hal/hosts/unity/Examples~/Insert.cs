@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A needle in an organ, from C#: 20 mm into it at 10 mm/s from above, and the force on the way.
+// A needle in an organ, from C#: it goes 20 mm in from above at 10 mm/s, and the force is printed.
 //
 //   mcs -unsafe Insert.cs ../Runtime/*.cs && mono Insert.exe liver.organ
 using System;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many simulations at once, which the library's own threads run. The bits do not depend on how many
-// threads there are.
+// Many simulations, which threads of the library run at once. The bits do not depend on the number
+// of threads.
 using System;
 
 namespace Stylet {
@@ -9,7 +9,7 @@ public sealed unsafe class Batch : IDisposable {
   readonly BatchHandle handle;
   readonly int needles;  // of all simulations
 
-  // `threads` 0: one for each processor. Tick none of the simulations while Run lasts.
+  // `threads` 0: one for each processor. While Run lasts, none of the simulations may be ticked.
   public Batch(Simulation[] simulations, int threads = 0) {
     SimulationHandle[] handles = Array.ConvertAll(simulations, each => each.Handle);
     handle = LibraryHandle.WithAll(handles, pointers => {
@@ -23,8 +23,8 @@ public sealed unsafe class Batch : IDisposable {
     needles = (int)Native.stylet_batch_needles(handle);
   }
 
-  // Many ticks of each: inputs of the first simulation, tick by tick and needle by needle, then of
-  // the next; the answers likewise.
+  // Many ticks of each. The inputs of the first simulation come first, tick by tick and needle by
+  // needle, then those of the next; the outputs have the same order.
   public void Run(Input[] inputs, Output[] outputs) {
     uint ticks = Simulation.TicksOf(inputs, outputs, needles);
     if (ticks == 0) return;
@@ -34,7 +34,7 @@ public sealed unsafe class Batch : IDisposable {
     }
   }
 
-  // The simulations stay.
+  // The simulations stay valid.
   public void Dispose() { handle.Dispose(); }
 }
 

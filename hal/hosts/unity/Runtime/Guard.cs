@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guard between a force and a hand, for a device that somebody drives in a loop of their own;
-// Loop has one in it. Each tick Sample, then Force, and what it returns is sent.
+// The guard between a force and a hand, for a device that your own loop drives (Loop contains one).
+// In each tick call Sample, then Force, and send the force that it returns.
 using System;
 using System.Runtime.InteropServices;
 
@@ -9,7 +9,7 @@ namespace Stylet {
 public sealed unsafe class Guard : IDisposable {
   readonly GuardHandle handle;
 
-  // For a device that is not known; for a known model, such as "touch": DeviceModels has them.
+  // The limits of an unknown device, or of a known model such as "touch"; DeviceModels lists them.
   public static GuardConfig DefaultConfig() {
     var config = new GuardConfig();
     StyletException.Check(
@@ -35,24 +35,25 @@ public sealed unsafe class Guard : IDisposable {
     StyletException.Check(Native.stylet_guard_create(ref config, out handle, ref why), ref why);
   }
 
-  // If the motors tell what force they have; before Sample.
+  // Call this before Sample if the motors tell what force they have.
   public void Motor(MotorReport report) {
     StyletException.Check(Native.stylet_guard_motor(handle, ref report));
   }
-  // True: the simulation may use the sample. Null: the device did not answer.
+  // True: the simulation may use the sample. A null sample: the device did not answer.
   public bool Sample(Sample? sample, long now_ns) {
     if (sample == null) return Native.stylet_guard_sample(handle, null, now_ns) != 0;
     Sample own = sample.Value;
     own.struct_bytes = (uint)sizeof(Sample);
     return Native.stylet_guard_sample(handle, &own, now_ns) != 0;
   }
-  // What to send instead; the torque after the force.
+  // What to send instead. Call Torque after Force.
   public Vec3 Force(Vec3 force_n) { return Native.stylet_guard_force(handle, force_n); }
   public Vec3 Torque(Vec3 torque_nm) { return Native.stylet_guard_torque(handle, torque_nm); }
-  // Instead of them at the end, until it is true: the force has faded.
+  // Call this instead of them at the end of a run, until it returns true: the force has faded.
   public bool End(long now_ns) { return Native.stylet_guard_end(handle, now_ns) != 0; }
   public void Trip(uint fault) { StyletException.Check(Native.stylet_guard_trip(handle, fault)); }
-  // True: the fault that somebody has seen was the latched one, and the guard begins anew.
+  // Acknowledges the fault that somebody has seen. True: it was the latched one; the guard begins
+  // anew.
   public bool Rearm(uint fault_seen) {
     return Native.stylet_guard_rearm(handle, fault_seen) != 0;
   }

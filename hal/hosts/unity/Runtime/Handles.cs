@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the library gave, to be given back once and not while a call uses it: the runtime counts a
-// call that has a SafeHandle as an argument. So neither the collector nor a Dispose in another
-// thread frees what a call is in; the last one that leaves does. What is used later raises
-// ObjectDisposedException.
+// Handles of the library, which must be freed once, and not while a call uses them. The runtime
+// counts the calls that have a SafeHandle as an argument: so neither the garbage collector nor a
+// Dispose in another thread frees what a call is using; the last call that returns does. Using a
+// handle after that throws ObjectDisposedException.
 using System;
 using System.Runtime.InteropServices;
 
@@ -12,8 +12,8 @@ internal abstract class LibraryHandle : SafeHandle {
   protected LibraryHandle() : base(IntPtr.Zero, true) {}
   public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
 
-  // The bare pointers of several, for a call that takes an array of them, during which none is
-  // freed.
+  // The bare pointers of several handles, for a call that takes an array of them; none is freed
+  // during the call.
   internal static T WithAll<T>(LibraryHandle[] all, Func<IntPtr[], T> call) {
     var pointers = new IntPtr[all.Length];
     int held = 0;
@@ -28,7 +28,7 @@ internal abstract class LibraryHandle : SafeHandle {
     }
   }
 
-  // A text of what the handle holds, read before that can be freed.
+  // A text that belongs to the handle, read before the handle can be freed.
   internal string TextOf(Func<IntPtr> text) {
     bool held = false;
     try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A haptic device with the guard in its loop. The loop runs in a thread of the library at its own
-// period; a frame of the host takes what is newest and draws it. So neither the collector nor a
-// slow frame is ever felt in the hand.
+// A haptic device with the guard in its loop. The loop runs in a thread of the library with its own
+// period; a frame of the host takes the newest state and draws it. So the hand feels neither the
+// garbage collector nor a slow frame.
 using System;
 using System.Runtime.InteropServices;
 
@@ -10,21 +10,21 @@ namespace Stylet {
 public sealed class Device : IDisposable {
   internal readonly DeviceHandle Handle;
 
-  // By URI, as `stylet devices` lists them.
+  // By URI, such as "hd:"; `stylet devices` lists them.
   public Device(string uri, double patience_s = 10) {
     Refusal why = StyletException.Empty();
     StyletException.Check(Native.stylet_device_open(uri, patience_s, out Handle, ref why),
                           ref why);
   }
   Device(DeviceHandle handle) { Handle = handle; }
-  // A computed hand that goes straight in, holds, and comes back: for trials without a device.
+  // A simulated hand that goes straight in, rests, and comes back: for trials without a device.
   public static Device Simulated(float travel_m, float speed_m_per_s, float hold_s) {
     DeviceHandle handle;
     StyletException.Check(
         Native.stylet_device_simulated(travel_m, speed_m_per_s, hold_s, out handle));
     return new Device(handle);
   }
-  // A loop that has it closes it.
+  // If a loop has the device, only the loop closes it.
   public void Dispose() { Handle.Dispose(); }
 }
 
@@ -47,15 +47,15 @@ public sealed unsafe class Loop : IDisposable {
     return hand;
   }
 
-  // One device and one hand for each needle, and one guard, or null: what each device says of
-  // itself. The simulation is the loop's until it is disposed.
+  // One device and one hand for each needle, and one guard; null guards: the limits that each
+  // device states. Until the loop is disposed, nothing else may tick the simulation.
   public Loop(Simulation simulation, LoopConfig config, Device[] devices, Hand[] hands,
               GuardConfig[] guards = null) {
     int needles = simulation.Inputs.Length;
     if (devices.Length != needles || hands.Length != needles ||
         (guards != null && guards.Length != needles)) {
       throw new ArgumentException("expected " + needles +
-                                  " devices, hands and guards, one a needle");
+                                  " devices, hands and guards, one for each needle");
     }
     handle = Create(simulation.Handle, config, devices, hands, guards);
     Outputs = new Output[needles];
@@ -116,7 +116,7 @@ public sealed unsafe class Loop : IDisposable {
       return (int)Native.stylet_loop_events(handle, at, (uint)Events.Length);
     }
   }
-  // After somebody has seen the fault of a hand: the force may come back.
+  // Says that somebody has seen the fault of a hand, so that the force may come back.
   public void Acknowledge(int needle) {
     StyletException.Check(Native.stylet_loop_acknowledge(
         handle, (uint)needle, Hands[needle].fault, Hands[needle].fault_number));
@@ -129,14 +129,14 @@ public sealed unsafe class Loop : IDisposable {
     StyletException.Check(Native.stylet_loop_get_report(handle, ref report));
     return report;
   }
-  // What this machine refused, once the loop has ended; empty: nothing.
+  // What this machine refused the loop; known when the loop has ended. Empty: nothing.
   public string Lacks() { return handle.TextOf(() => Native.stylet_loop_lacks(handle)); }
   // Why a needle's device does not answer; empty: it does.
   public string Trouble(int needle) {
     return handle.TextOf(() => Native.stylet_loop_trouble(handle, (uint)needle));
   }
 
-  // Stops it first: another thread may wait for its end, and is in the library until then.
+  // Stops the loop first: another thread may be in the library, waiting for the loop to end.
   public void Dispose() {
     lock (handle) {
       if (handle.IsClosed) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions and structs of stylet.h and stylet_loop.h, as they are there: plain data, the same
-// order, nothing is copied or converted on the way. Those for hosts that own all memory, that lend
-// threads or write a device of their own (README.md) no class of this package uses.
+// The functions and structs of stylet.h and stylet_loop.h as they are there: plain data in the same
+// order, which is neither copied nor converted on the way. Some functions are used by no class of
+// this package (README.md): those for hosts that provide all memory, threads, or a device.
 using System;
 using System.Runtime.InteropServices;
 
@@ -52,7 +52,7 @@ public struct Needle {
 public struct Material {
   public uint struct_bytes;
   public float density_kg_per_m3;
-  internal IntPtr name, source;  // as long as the organ: Organ.NameOf is its text
+  internal IntPtr name, source;  // valid as long as the organ; Organ.NameOf gives the name
   public float youngs_modulus_pa, poisson_ratio, relaxing_fraction, relaxation_time_s;
   public float puncture_force_n, cutting_force_n, recut_fraction;
   public float coulomb_friction_n_per_m, static_friction_n_per_m;
@@ -146,7 +146,7 @@ public struct Happened {
 public struct OrganInfo {
   public uint struct_bytes, format_version;
   public ulong hash;
-  internal IntPtr name;  // as long as the organ: Organ.Name is its text
+  internal IntPtr name;  // valid as long as the organ; Organ.Name gives the text
   public float voxel_edge_m;
   public Vec3 origin_m;
   public uint size_x, size_y, size_z, voxels, vertices, triangles, materials;
@@ -243,7 +243,7 @@ internal unsafe struct Refusal {
 internal static unsafe class Native {
   const string kLibrary = "stylet";  // libstylet.so, stylet.dll
 
-  // `fixed` gives an empty array no address, and the library would take it for a forgotten one.
+  // `fixed` gives an empty array no address, which the library would take for a missing argument.
   internal static byte[] Placed(byte[] bytes) { return bytes.Length > 0 ? bytes : new byte[1]; }
 
   [DllImport(kLibrary)] internal static extern uint stylet_version();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Organs and simulations. What passes between C# and the library every frame lies in arrays of
-// plain structs, which the collector lets lie during a call: nothing is copied, nothing allocated.
+// Organs and simulations. What passes between C# and the library in every frame is in arrays of
+// plain structs, which the garbage collector does not move during a call: nothing is copied or
+// allocated.
 // Units: SI. Frame: the organ's, right-handed (UnityFrame.cs turns it into Unity's).
 using System;
 using System.Runtime.InteropServices;
 
 namespace Stylet {
 
-// What the library refused, with the field, its value and its limits.
+// Something that the library refused, with the field, its value and its limits.
 public sealed class StyletException : Exception {
   public readonly ushort Status;
   public readonly string Place;
@@ -80,7 +81,7 @@ public sealed unsafe class Organ : IDisposable {
     return organ;
   }
 
-  // Three corners a triangle, counter-clockwise seen from outside.
+  // Three vertices for each triangle, counter-clockwise seen from outside.
   public int[] Triangles() {
     var corners = new int[3 * Info.triangles];
     fixed (int* at = corners) Native.stylet_organ_triangles(Handle, at, Info.triangles);
@@ -108,28 +109,28 @@ public sealed unsafe class Organ : IDisposable {
     fixed (Cube* at = cubes) Native.stylet_organ_cubes(Handle, at, Info.voxels);
     return cubes;
   }
-  // By number, as VertexMaterials and an output's layer have it.
+  // By its number, as in VertexMaterials and in an output's layer.
   public Material Material(int index) {
     var material = new Material { struct_bytes = (uint)sizeof(Material) };
     StyletException.Check(Native.stylet_organ_get_material(Handle, (uint)index, ref material));
     return material;
   }
-  // Of a material of this organ.
+  // The name of a material of this organ.
   public string NameOf(int index) { return Handle.TextOf(() => Material(index).name); }
   // False: the ray does not meet the surface at rest.
   public bool Raycast(Vec3 origin_m, Vec3 direction, out float distance_m) {
     return Native.stylet_organ_raycast(Handle, origin_m, direction, out distance_m) != 0;
   }
 
-  // Simulations that were made from it go on.
+  // Simulations that were made from it stay valid.
   public void Dispose() { Handle.Dispose(); }
 }
 
 public sealed unsafe class Simulation : IDisposable {
-  // One of each for every needle. Set Inputs, call Tick, read Outputs.
+  // One input and one output for each needle. Set Inputs, call Tick, read Outputs.
   public readonly Input[] Inputs;
   public readonly Output[] Outputs;
-  // What Surface and NeedleShape write.
+  // Surface and NeedleShape write these.
   public readonly Vec3[] Vertices;
   public readonly Vec3[] Nodes = new Vec3[129];
   public readonly Happened[] Events = new Happened[64];
@@ -146,7 +147,7 @@ public sealed unsafe class Simulation : IDisposable {
     StyletException.Check(Native.stylet_needle_init(ref needle, (UIntPtr)sizeof(Needle)));
     return needle;
   }
-  // A needle by its name, such as "22G-quincke", which bends; PresetNames has them all.
+  // A needle by its name, such as "22G-quincke"; it bends. PresetNames has all names.
   public static Needle Preset(string name) {
     Needle needle = DefaultNeedle();
     StyletException.Check(Native.stylet_needle_preset(ref needle, name));
@@ -171,7 +172,7 @@ public sealed unsafe class Simulation : IDisposable {
     StyletException.Check(Native.stylet_obstacle_sphere(ref obstacle, radius_m));
     return obstacle;
   }
-  // The pose whose unbent needle has its tip here and points there.
+  // The pose at which an unbent needle has its tip at this place and points in this direction.
   public static Pose PoseOfTip(Vec3 tip_m, Vec3 direction, float length_m) {
     return Native.stylet_pose_of_tip(tip_m, direction, length_m);
   }
@@ -194,10 +195,10 @@ public sealed unsafe class Simulation : IDisposable {
     Outputs = (Output[])from.Outputs.Clone();
     Vertices = new Vec3[from.Vertices.Length];
   }
-  // A second simulation in the same state, which shares the organ.
+  // A second simulation in the same state; both share the organ.
   public Simulation Clone() { return new Simulation(this); }
 
-  // Before the first tick.
+  // Only before the first tick.
   public void SetObstacles(params Obstacle[] obstacles) {
     Refusal why = StyletException.Empty();
     fixed (Obstacle* at = obstacles) {
@@ -207,7 +208,7 @@ public sealed unsafe class Simulation : IDisposable {
     }
   }
 
-  // Outputs[0].struct_bytes and that of Inputs are written here: a whole struct may be assigned.
+  // Writes struct_bytes of Inputs[0] and Outputs[0], so that you may assign whole structs.
   public void Tick() {
     Inputs[0].struct_bytes = (uint)sizeof(Input);
     Outputs[0].struct_bytes = (uint)sizeof(Output);
@@ -217,19 +218,19 @@ public sealed unsafe class Simulation : IDisposable {
           Handle, given, (uint)Inputs.Length, told, (uint)Outputs.Length));
     }
   }
-  // How many whole ticks these are; tells the library the sizes of the structs. (Not a method that
-  // takes what to call: that would allocate in each frame.)
+  // The number of whole ticks in these arrays; also tells the library the sizes of the structs. (It
+  // does not take a delegate, which would allocate in each frame.)
   internal static uint TicksOf(Input[] inputs, Output[] outputs, int needles) {
     if (inputs.Length % needles != 0 || outputs.Length != inputs.Length) {
       throw new ArgumentException(inputs.Length + " inputs, " + outputs.Length +
-                                  " outputs: expected as many, of whole ticks of " + needles);
+                                  " outputs: expected as many of both, a multiple of " + needles);
     }
     if (inputs.Length == 0) return 0;
     inputs[0].struct_bytes = (uint)sizeof(Input);
     outputs[0].struct_bytes = (uint)sizeof(Output);
     return (uint)(inputs.Length / needles);
   }
-  // Many ticks: inputs[tick * needles + needle]; the answers likewise.
+  // Many ticks: inputs[tick * needles + needle]; the outputs have the same order.
   public void Run(Input[] inputs, Output[] outputs) {
     uint ticks = TicksOf(inputs, outputs, Inputs.Length);
     if (ticks == 0) return;
@@ -245,14 +246,14 @@ public sealed unsafe class Simulation : IDisposable {
       Native.stylet_simulation_surface(Handle, at, (uint)Vertices.Length);
     }
   }
-  // Writes a needle, from handle to tip, into Nodes; returns how many places it has.
+  // Writes the places of a needle, from handle to tip, into Nodes; returns their number.
   public int NeedleShape(int needle) {
     fixed (Vec3* at = Nodes) {
       return (int)Native.stylet_simulation_needle_shape(Handle, (uint)needle, at,
                                                         (uint)Nodes.Length);
     }
   }
-  // Writes the newest events, oldest first, into Events; returns how many.
+  // Writes the newest events, oldest first, into Events; returns their number.
   public int TakeEvents() {
     fixed (Happened* at = Events) {
       return (int)Native.stylet_simulation_events(Handle, at, (uint)Events.Length);
@@ -261,7 +262,7 @@ public sealed unsafe class Simulation : IDisposable {
   public static string EventName(uint kind) {
     return Marshal.PtrToStringAnsi(Native.stylet_event_name(kind));
   }
-  // How far each particle of the lattice is from its place at rest.
+  // The displacement of each particle of the lattice from its place at rest.
   public Vec3[] Particles() {
     var moved = new Vec3[Native.stylet_simulation_particles(Handle, null, 0)];
     fixed (Vec3* at = moved) Native.stylet_simulation_particles(Handle, at, (uint)moved.Length);
@@ -300,7 +301,7 @@ public sealed unsafe class Simulation : IDisposable {
     StyletException.Check(Native.stylet_simulation_get_energy(Handle, ref energy));
     return energy;
   }
-  // Of a material: its mass, and its mass in the step.
+  // The mass of a material, and the mass that the step computes with.
   public void Mass(int material, out float real_kg, out float stepped_kg) {
     StyletException.Check(Native.stylet_simulation_get_mass(Handle, (uint)material, out real_kg,
                                                             out stepped_kg));

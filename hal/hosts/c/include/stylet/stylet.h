@@ -6,30 +6,30 @@
  * Units: SI. Frames: world is the organ's rest frame, right-handed; a device has its own.
  *
  * Structs that may grow begin with `struct_bytes`, which the caller sets to sizeof of the struct
- * it was compiled with (for those with defaults stylet_..._init does). A library that knows more
- * takes its defaults for what the caller's struct does not have; one that knows less refuses a
- * value it does not know. In an array the first element's struct_bytes is that of all. A program
- * that was compiled with a header of any version 0.2 or later runs with every later library.
+ * it was compiled with (stylet_..._init sets it where there are defaults). A newer library uses its
+ * defaults for fields that the caller's struct does not have; an older one refuses a value in a
+ * field that it does not know. In an array, struct_bytes of the first element holds for all. A
+ * program compiled with a header of version 0.2 or later runs with every later library.
  *
  * Functions that return stylet_status return STYLET_OK or what was wrong. A call that fails leaves
- * simulations, guards and loops as they were; handles it was to give are null; structs it was to
- * fill are zero behind struct_bytes, but for a refusal, which says what was wrong. Null where a
- * pointer is needed is refused; a refusal may always be null, and _free of null does nothing.
+ * simulations, guards and loops as they were. A handle that it should have given is then null, and
+ * a struct that it should have filled is zero after struct_bytes; a refusal says what was wrong.
+ * Null is refused where a pointer is needed, but refusal_out may be null, and _free accepts null.
  *
  * Functions that copy arrays write at most `capacity` elements and return how many there are, so
- * a call with (NULL, 0) asks for the number (of events they return how many they wrote). While a
- * loop has a simulation, what copies its state out gives nothing; ask the loop.
+ * a call with (NULL, 0) asks for the number (those for events return how many they wrote). While a
+ * loop has a simulation, functions that copy its state out give nothing: ask the loop instead.
  *
  * Handles hold what they need: a simulation keeps its organ, a loop its simulation. Memory that is
- * given need not be aligned and may be freed after the call, unless a function says otherwise.
- * A simulation, a batch, a guard belongs to one thread at a time; organs to any number.
+ * passed need not be aligned and may be freed after the call, unless a function says otherwise.
+ * A simulation, batch or guard may be used by one thread at a time, an organ by any number.
  *
- * After a fork the child's simulations and batches go on, a batch with threads of its own. A loop
- * that runs, and devices, are the parent's: in the child waiting and reports are refused, free and
- * close only forget.
+ * In the child of a fork, simulations and batches can be used; a batch gets threads of its own. A
+ * running loop and devices stay with the parent: in the child, waiting for them and their reports
+ * are refused, and free and close only forget them.
  *
- * After its creation a simulation does not allocate, lock, log or make a system call in: reset,
- * tick, run, set_obstacles, help, and what copies its state out. The same inputs give the same
+ * The following functions of a simulation neither allocate, lock, log nor make system calls: reset,
+ * tick, run, set_obstacles, help, and those that copy its state out. The same inputs give the same
  * bits, whatever the compiler, the processor and the number of threads. */
 #ifndef STYLET_STYLET_H
 #define STYLET_STYLET_H
@@ -61,7 +61,7 @@ STYLET_API uint32_t stylet_version(void);
 STYLET_API const char* stylet_version_text(void);
 /* Compiler, and the instruction set that the tissue step uses on this processor. */
 STYLET_API const char* stylet_build_text(void);
-/* Snapshots pass between libraries with the same number. */
+/* A library reads the snapshots of every library with the same number. */
 STYLET_API uint64_t stylet_state_layout(void);
 
 /* ==== Status, limits and other numbers ======================================================= */
@@ -84,18 +84,18 @@ enum {
   STYLET_OBSTACLES_TOO_LATE = 201,
   /* memory and snapshots */
   STYLET_MEMORY_TOO_SMALL = 300,
-  STYLET_MEMORY_NOT_ALIGNED = 301, /* not from this interface, which aligns */
+  STYLET_MEMORY_NOT_ALIGNED = 301, /* never here: this interface aligns memory */
   STYLET_SNAPSHOT_DOES_NOT_MATCH = 302,
   STYLET_SNAPSHOT_DAMAGED = 303,
   /* the call */
   STYLET_ARGUMENT_MISSING = 400,    /* null where a pointer is needed */
-  STYLET_STRUCT_SIZE_UNKNOWN = 401, /* struct_bytes was not set, or holds what is not known */
+  STYLET_STRUCT_SIZE_UNKNOWN = 401, /* struct_bytes not set, or an unknown field set */
   STYLET_OUT_OF_MEMORY = 402,
   STYLET_FILE_UNREADABLE = 403,
-  STYLET_CONTENT_DAMAGED = 404, /* the organ file's bytes are not those that were written */
+  STYLET_CONTENT_DAMAGED = 404, /* the organ file does not match its checksum */
   STYLET_ARGUMENT_OUT_OF_RANGE = 405,
   STYLET_DEVICE_FAILED = 406,
-  STYLET_LOOP_RUNS = 407 /* a loop has this simulation, or this loop was begun before */
+  STYLET_LOOP_RUNS = 407 /* a loop has this simulation, or this loop was started before */
 };
 STYLET_API const char* stylet_status_name(stylet_status status);
 
@@ -104,7 +104,7 @@ STYLET_API const char* stylet_status_name(stylet_status status);
 #define STYLET_MAX_HULL_VERTICES 64
 #define STYLET_MAX_MATERIALS 64
 #define STYLET_MAX_RODS 128
-#define STYLET_MAX_CONSTRAINT_PARTICLES 128 /* of a needle; with the tip's one more */
+#define STYLET_MAX_CONSTRAINT_PARTICLES 128 /* of a needle's shaft; its tip has one more */
 #define STYLET_MAX_TOUCHES 16               /* of a needle */
 #define STYLET_MAX_EVENTS 64
 #define STYLET_MAX_SUBSTEPS 32
@@ -116,18 +116,18 @@ typedef struct {
   uint32_t struct_bytes;
   stylet_status status;
   uint16_t reserved;
-  char place[64]; /* part of the file, or field: "needle.length_m" */
-  uint64_t index; /* of the element there, or of the needle or obstacle */
+  char place[64]; /* part of the file, or a field such as "needle.length_m" */
+  uint64_t index; /* of the element in that part, or of the needle or obstacle */
   double value;
-  double least, most; /* that is accepted, of a configuration */
-  char expected[96];  /* in words, of a file */
+  double least, most; /* accepted range, if a configuration was refused */
+  char expected[96];  /* in words, if a file was refused */
   char text[256];     /* all of this as one line */
 } stylet_refusal;
 
 typedef struct {
   float x, y, z;
 } stylet_vec3;
-/* Unit quaternion, Hamilton convention: turns handle coordinates into world coordinates. */
+/* Unit quaternion, Hamilton's convention: it turns handle coordinates into world coordinates. */
 typedef struct {
   float w, x, y, z;
 } stylet_quat;
@@ -139,21 +139,21 @@ typedef struct {
 /* ==== Organ ================================================================================== */
 typedef struct stylet_organ stylet_organ;
 
-/* Checks structure, values and the sum that the file holds of its own bytes. */
+/* Checks structure, values and the file's checksum. */
 STYLET_API stylet_status stylet_organ_read(const char* path, stylet_organ** organ_out,
                                            stylet_refusal* refusal_out);
-/* The same of bytes in memory; copies them. */
+/* The same for bytes in memory, which are copied. */
 STYLET_API stylet_status stylet_organ_from_bytes(const void* bytes, size_t count,
                                                  stylet_organ** organ_out,
                                                  stylet_refusal* refusal_out);
-/* Simulations that were made from it go on. */
+/* Simulations that were made from it stay valid. */
 STYLET_API void stylet_organ_free(stylet_organ* organ);
 
 typedef struct {
   uint32_t struct_bytes;
   uint32_t format_version;
   uint64_t hash;    /* of all bytes */
-  const char* name; /* as long as the organ */
+  const char* name; /* valid as long as the organ */
   float voxel_edge_m;
   stylet_vec3 origin_m; /* corner of voxel (0, 0, 0) */
   uint32_t size_x, size_y, size_z;
@@ -166,7 +166,7 @@ STYLET_API stylet_status stylet_organ_get_info(const stylet_organ* organ,
 typedef struct {
   uint32_t struct_bytes;
   float density_kg_per_m3;
-  const char* name; /* as long as the organ */
+  const char* name; /* valid as long as the organ, as is source */
   const char* source;
   float youngs_modulus_pa, poisson_ratio;
   float relaxing_fraction, relaxation_time_s;
@@ -176,17 +176,17 @@ typedef struct {
   float puncture_velocity_exponent;
   float membrane_n_per_m;
   float strain_stiffening;
-  /* Above 0, forces follow from these and from the needle, instead of those above. */
+  /* If above 0, forces follow from these and the needle, instead of the numbers above. */
   float fracture_toughness_j_per_m2, toughness_velocity_exponent;
   float needle_friction_coefficient;
-  /* Of fluid in it: above the air's pressure; per pressure, to or from a needle's opening (0: no
-   * fluid flows); 0: as viscous as what the needle is filled with. */
+  /* Fluid in the tissue: its pressure above the air's; its flow per pressure to or from a needle's
+   * opening (0: none flows); its viscosity (0: that of the needle's filling). */
   float fluid_pressure_pa, fluid_conductance_m3_per_pa_s, fluid_viscosity_pa_s;
 } stylet_material;
 STYLET_API stylet_status stylet_organ_get_material(const stylet_organ* organ, uint32_t index,
                                                    stylet_material* material_out);
 
-/* x, y, z: of the organ's lattice. Where voxels have several sizes, their levels lie one after the
+/* x, y, z: place in the organ's lattice. If voxels have several sizes, the levels lie one after the
  * other along z; voxel_edge_m is that of the coarsest, and stylet_organ_cubes has all. */
 typedef struct {
   uint16_t x, y, z;
@@ -207,7 +207,7 @@ STYLET_API uint32_t stylet_organ_cubes(const stylet_organ* organ, stylet_cube* o
  * `capacity` and result count triangles. */
 STYLET_API uint32_t stylet_organ_triangles(const stylet_organ* organ, uint32_t* out,
                                            uint32_t capacity);
-/* The surface at rest, and of which material each of its vertices is. */
+/* The vertices of the surface at rest, and the material of each. */
 STYLET_API uint32_t stylet_organ_vertices(const stylet_organ* organ, stylet_vec3* out,
                                           uint32_t capacity);
 STYLET_API uint32_t stylet_organ_vertex_materials(const stylet_organ* organ, uint8_t* out,
@@ -223,14 +223,14 @@ typedef struct {
   uint32_t mode; /* 0: every parameter a physical quantity; 1: the rules of the paper */
   float period_s;
   uint32_t substeps;
-  uint32_t inertia; /* 0: mass is added where the step needs it; 1: tissue keeps its true mass */
+  uint32_t inertia; /* 0: mass is added where the step needs it; 1: tissue has its true mass */
   float tissue_damping_s;    /* Kelvin-Voigt time constant */
   float surround_drag_per_s; /* drag of what surrounds the organ, per mass */
   float hourglass_weight;
   float paper_alpha;                 /* mode 1: stiffness factor of goals, 0 to 1 */
   stylet_vec3 breathing_amplitude_m; /* of all attachments, A sin^4(pi t / T) */
   float breathing_period_s;
-  stylet_vec3 gravity_m_per_s2; /* that the shape at rest does not have in it; comes in over 1 s */
+  stylet_vec3 gravity_m_per_s2; /* beyond that which shaped the organ; comes in over 1 s */
 } stylet_config;
 STYLET_API stylet_status stylet_config_init(stylet_config* config, size_t struct_bytes);
 
@@ -252,18 +252,18 @@ typedef struct {
    * tissues whose toughness is given. */
   float torn_diameters;
   uint32_t hub; /* 0: closed, nothing flows; 1: open to the air; 2: a syringe */
-  /* Only read where the hub is not closed. */
+  /* Only read if the hub is not closed. */
   float bore_radius_m;
   float opening_m;    /* its middle, from the tip */
   float filling_pa_s; /* viscosity of what needle and syringe are filled with */
   float plunger_radius_m, plunger_friction_n;
-  float syringe_m3, syringe_filled; /* barrel, and the part of it that is full at the start */
-  float syringe_gas_m3;             /* in it, at the pressure of the air */
+  float syringe_m3, syringe_filled; /* its volume, and the part that is full at the start */
+  float syringe_gas_m3;             /* volume of gas in it, at the air's pressure */
 } stylet_needle;
 STYLET_API stylet_status stylet_needle_init(stylet_needle* needle, size_t struct_bytes);
 /* Makes it the needle of this name, such as "22G-quincke": diameters, length, stiffness (it bends),
- * tip and opening; unit_m, rods, hub, filling and syringe stay. STYLET_ARGUMENT_OUT_OF_RANGE: there
- * is none of that name. */
+ * tip and opening; unit_m, rods, hub, filling and syringe stay. STYLET_ARGUMENT_OUT_OF_RANGE: no
+ * needle has this name. */
 STYLET_API stylet_status stylet_needle_preset(stylet_needle* needle, const char* name);
 /* The names of the needles, by number from 0; null after the last. */
 STYLET_API const char* stylet_needle_preset_name(uint32_t index);
@@ -290,8 +290,8 @@ typedef struct stylet_simulation stylet_simulation;
 STYLET_API stylet_status stylet_simulation_create(
     const stylet_organ* organ, const stylet_config* config, const stylet_needle* needles,
     uint32_t needle_count, stylet_simulation** simulation_out, stylet_refusal* refusal_out);
-/* For hosts that own all memory: how much create_in asks for, and creation in it. That memory must
- * neither move nor be freed before stylet_simulation_free, which leaves it to the caller. */
+/* For hosts that provide all memory: how many bytes create_in needs, and creation in them. They
+ * must neither move nor be freed before stylet_simulation_free, which does not free them. */
 STYLET_API stylet_status stylet_simulation_bytes(const stylet_organ* organ,
                                                  const stylet_config* config,
                                                  const stylet_needle* needles,
@@ -306,7 +306,7 @@ STYLET_API stylet_status stylet_simulation_clone(const stylet_simulation* simula
                                                  stylet_simulation** simulation_out);
 STYLET_API void stylet_simulation_free(stylet_simulation* simulation);
 
-/* Bodies fixed in the world, instead of those given before. Before the first tick only. */
+/* Bodies fixed in the world; they replace those given before. Only before the first tick. */
 STYLET_API stylet_status stylet_simulation_set_obstacles(stylet_simulation* simulation,
                                                          const stylet_obstacle* obstacles,
                                                          uint32_t count,
@@ -316,7 +316,7 @@ STYLET_API stylet_status stylet_simulation_reset(stylet_simulation* simulation);
 
 typedef struct {
   uint32_t struct_bytes;
-  uint32_t valid;     /* 0: no sample this tick; the last one is kept and counted */
+  uint32_t valid;     /* 0: no sample in this tick; the last one is used again, and counted */
   stylet_pose handle; /* of the needle's base, in the world */
   float plunger_n;    /* on a syringe's plunger, towards the needle */
 } stylet_input;
@@ -325,7 +325,7 @@ enum { STYLET_FREE = 0, STYLET_CONTACT = 1, STYLET_INSERTED = 2, STYLET_RETRACTI
 
 enum {
   STYLET_FLAG_INPUT_NOT_FINITE = 1 << 0,
-  STYLET_FLAG_INPUT_CLAMPED = 1 << 1, /* too fast, far or strong; followed at the limit */
+  STYLET_FLAG_INPUT_CLAMPED = 1 << 1, /* too fast, far or strong: the limit was used */
   STYLET_FLAG_INPUT_MISSING = 1 << 2,
   STYLET_FLAG_CP_POOL_FULL = 1 << 3,
   STYLET_FLAG_CP_VOXEL_POOL_FULL = 1 << 4,
@@ -351,9 +351,9 @@ typedef struct {
   uint32_t constraint_particles;
   uint32_t events;         /* since reset, of all needles */
   float stiffness_n_per_m; /* upper bound of the stiffness felt between two ticks */
-  /* Fluid in a needle whose hub is not closed: pressures above the air's; flow and volume given
-   * count towards the tissue; way and speed of the plunger; part of the bore that the tissue's
-   * fluid fills. */
+  /* Fluid in a needle whose hub is not closed: pressures above the air's; flow and injected volume,
+   * positive towards the tissue; way and speed of the plunger; part of the bore that is filled with
+   * the tissue's fluid. */
   float opening_pa, hub_pa;
   float flow_m3_per_s, injected_m3;
   float plunger_m, plunger_m_per_s;
@@ -361,8 +361,8 @@ typedef struct {
   uint32_t reserved;
 } stylet_output;
 
-/* One tick: input i moves needle i, output i is its answer. Either count may be less than the
- * number of needles (a needle without input keeps its pose). */
+/* One tick: input i moves needle i, and output i is its answer. Either count may be less than the
+ * number of needles; a needle without input keeps its pose. */
 STYLET_API stylet_status stylet_simulation_tick(stylet_simulation* simulation,
                                                 const stylet_input* inputs, uint32_t input_count,
                                                 stylet_output* outputs_out, uint32_t output_count);
@@ -371,21 +371,21 @@ STYLET_API stylet_status stylet_simulation_run(stylet_simulation* simulation,
                                                const stylet_input* inputs,
                                                stylet_output* outputs_out, uint32_t ticks);
 
-/* The pose whose unbent needle has its tip here and points there: a direction of any length, -z for
- * none. */
+/* The pose at which an unbent needle of this length has its tip at tip_m and points in this
+ * direction, which may have any length (zero: -z). */
 STYLET_API stylet_pose stylet_pose_of_tip(stylet_vec3 tip_m, stylet_vec3 direction, float length_m);
 
-/* ---- what is seen of it */
+/* ---- its state, to be shown */
 
 STYLET_API uint32_t stylet_simulation_needles(const stylet_simulation* simulation);
 /* The deformed surface: one position for each vertex of the organ. */
 STYLET_API uint32_t stylet_simulation_surface(const stylet_simulation* simulation, stylet_vec3* out,
                                               uint32_t capacity);
-/* A needle from handle to tip: rods + 1 places, two of a rigid one; none before its first pose. */
+/* A needle from handle to tip: rods + 1 places, 2 if it is rigid; none before its first pose. */
 STYLET_API uint32_t stylet_simulation_needle_shape(const stylet_simulation* simulation,
                                                    uint32_t needle, stylet_vec3* out,
                                                    uint32_t capacity);
-/* How far each particle of the lattice is from its place at rest. */
+/* The displacement of each particle of the lattice from its place at rest. */
 STYLET_API uint32_t stylet_simulation_particles(const stylet_simulation* simulation,
                                                 stylet_vec3* moved_out_m, uint32_t capacity);
 /* Eight particles for each voxel of the organ, corner dx + 2 dy + 4 dz. `capacity` and result
@@ -411,12 +411,12 @@ STYLET_API uint32_t stylet_simulation_obstacle_touches(const stylet_simulation* 
 
 enum {
   STYLET_EVENT_CONTACT = 0,
-  STYLET_EVENT_RELEASE = 1, /* contact lost without puncture */
+  STYLET_EVENT_RELEASE = 1, /* contact was lost without a puncture */
   STYLET_EVENT_PUNCTURE = 2,
-  STYLET_EVENT_REENTRY = 3, /* entered an existing track */
+  STYLET_EVENT_REENTRY = 3, /* the tip entered an existing track */
   STYLET_EVENT_EXIT = 4,
-  STYLET_EVENT_LAYER = 5,             /* tip crossed into another material */
-  STYLET_EVENT_OBSTACLE = 6,          /* needle touched an obstacle */
+  STYLET_EVENT_LAYER = 5,             /* the tip crossed into another material */
+  STYLET_EVENT_OBSTACLE = 6,          /* the needle touched an obstacle */
   STYLET_EVENT_FLASHBACK = 7,         /* fluid of the tissue has come to the hub */
   STYLET_EVENT_LOSS_OF_RESISTANCE = 8 /* a pressed plunger gives way in the tissue */
 };
@@ -424,21 +424,21 @@ STYLET_API const char* stylet_event_name(uint32_t kind);
 typedef struct {
   uint64_t tick;
   uint32_t kind, layer;
-  float depth_m, force_n; /* magnitude along the shaft; of the last two, on the plunger */
+  float depth_m, force_n; /* force along the shaft; of the last two kinds, on the plunger */
   uint32_t needle, reserved;
 } stylet_event;
 /* The newest events, oldest first. Returns how many it wrote. */
 STYLET_API uint32_t stylet_simulation_events(const stylet_simulation* simulation, stylet_event* out,
                                              uint32_t capacity);
 
-/* ---- how it is */
+/* ---- its counters, energy and mass */
 
 typedef struct {
   uint32_t used, used_max, capacity;
 } stylet_pool;
 typedef struct {
   uint32_t struct_bytes;
-  uint32_t filter_passes; /* of true mass, in a substep */
+  uint32_t filter_passes; /* in a substep, with true mass */
   uint64_t ticks;
   stylet_pool constraint_particles, coupled_voxels, tracks, obstacle_contacts;
   uint64_t input_not_finite, input_clamped, input_missing;
@@ -456,22 +456,22 @@ typedef struct {
   double work_by_hand_j; /* since reset */
   /* Dissipated since reset, by constraint particles and by contacts with obstacles. */
   double friction_j, cutting_j, relaxation_j, obstacles_j;
-  double sliding_j; /* the same, by parts of the organ that slide on each other */
+  double sliding_j; /* dissipated by parts of the organ that slide on each other */
 } stylet_energy;
 STYLET_API stylet_status stylet_simulation_get_energy(const stylet_simulation* simulation,
                                                       stylet_energy* energy_out);
-/* Of a material: its mass, and its mass in the step. */
+/* The mass of a material, and the mass that the step computes with (more if mass is added). */
 STYLET_API stylet_status stylet_simulation_get_mass(const stylet_simulation* simulation,
                                                     uint32_t material, float* real_out_kg,
                                                     float* stepped_out_kg);
 
-/* ---- saved, restored, compared */
+/* ---- to save, restore and compare it */
 
 STYLET_API uint64_t stylet_simulation_hash(const stylet_simulation* simulation);
 STYLET_API size_t stylet_simulation_snapshot_bytes(const stylet_simulation* simulation);
 STYLET_API stylet_status stylet_simulation_snapshot(const stylet_simulation* simulation, void* out,
                                                     size_t bytes);
-/* Any bytes that are not a snapshot of this organ, configuration and obstacles are refused. */
+/* Refuses bytes that are not a snapshot with this organ, configuration and obstacles. */
 STYLET_API stylet_status stylet_simulation_restore(stylet_simulation* simulation, const void* in,
                                                    size_t bytes);
 /* Name of the first field of the state that differs ("organ", "config"); null: none does. */
@@ -481,22 +481,22 @@ STYLET_API const char* stylet_simulation_difference(const stylet_simulation* a,
 
 /* ---- threads of the host that take part in the tissue step */
 
-/* Not while a thread is in help. 0 ends it. The bits do not depend on it. */
+/* How many threads call help; 0: none may. Not while one is in it. Bits do not depend on it. */
 STYLET_API stylet_status stylet_simulation_set_helpers(stylet_simulation* simulation,
                                                        uint32_t helpers);
-/* Looks so many times (about 40 ns each) for a part of the step to do; 1: did one. Helpers need
- * the priority and the floating-point mode of the thread that ticks. */
+/* Looks `looks` times (about 40 ns each) for a part of the step, and computes it; 1: it found one.
+ * Helpers need the priority and the floating-point mode of the thread that ticks. */
 STYLET_API int stylet_simulation_help(stylet_simulation* simulation, uint32_t looks);
 
 /* ==== Batch: many simulations at once ======================================================== */
 typedef struct stylet_batch stylet_batch;
 
-/* Threads: 0 takes one for each processor. While the batch lives, its simulations are used through
+/* threads 0: one for each processor. As long as the batch exists, use its simulations only through
  * it or between its calls. */
 STYLET_API stylet_status stylet_batch_create(stylet_simulation* const* simulations, uint32_t count,
                                              uint32_t threads, stylet_batch** batch_out);
 STYLET_API void stylet_batch_free(stylet_batch* batch);
-/* Sum of the needles of all simulations. */
+/* The number of needles of all simulations together. */
 STYLET_API uint32_t stylet_batch_needles(const stylet_batch* batch);
 /* Many ticks of each: inputs[simulation][tick][needle], outputs_out likewise, or null. */
 STYLET_API stylet_status stylet_batch_run(stylet_batch* batch, const stylet_input* inputs,

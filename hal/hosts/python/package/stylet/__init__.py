@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Needle insertion into soft tissue: organs, needles in them, the force on the hand.
 
-Units: SI. Frame: world, the organ's rest frame, right-handed. A pose is seven numbers, position
-and quaternion w, x, y, z, of the needle's handle; the needle leaves it along its -z.
+Units: SI. Frame: world, the organ's rest frame, right-handed. A pose is seven numbers: position and
+quaternion (w, x, y, z) of the needle's handle. The needle points along the handle's -z.
 
     organ = stylet.phantom("liver")  # or Organ.read("patient.organ")
     simulation = stylet.Simulation(organ, stylet.Needle(bending_nm2=0.02))

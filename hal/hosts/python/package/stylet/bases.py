@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What environments and spaces inherit: Gymnasium's classes where it is installed, so that its
-wrappers and learners take them; else the part of them that they use.
+"""What environments and spaces inherit from: Gymnasium's classes if it is installed, so that its
+wrappers and learners accept them; otherwise the part of these classes that is used here.
 
 Source: Gymnasium's published interface (gymnasium.Env, gymnasium.vector.VectorEnv,
 gymnasium.spaces.Box).
@@ -15,7 +15,7 @@ NEXT_STEP: Any = "NextStep"  # an environment that has ended begins anew in the 
 
 
 class Drawing:
-    """A generator of random numbers, with what its seed was."""
+    """A generator of random numbers that remembers its seed."""
     _np_random: Any = None
     _np_random_seed: Any = None
 

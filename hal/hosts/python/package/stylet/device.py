@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The hand's side: devices, the loop that holds one, and the guard between force and hand.
 
-The loop runs in a thread of the library at its own period. Python takes what is newest; nothing
-that Python does is felt in the hand.
+The loop runs in a thread of the library with its own period. Python looks at the newest state, and
+nothing that Python does is felt by the hand.
 """
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class GuardMode(enum.IntEnum):
 
 
 class GuardConfig(Struct):
-    """Limits of a guard; `for_model` has those of a known device."""
+    """Limits of a guard; `for_model` gives those of a known device."""
     _defaults = _stylet.default_guard_config
     period_s: float
     max_force_n: float
@@ -68,12 +68,14 @@ class GuardConfig(Struct):
 
     @classmethod
     def for_model(cls, model: str, **fields: Any) -> GuardConfig:
-        """Of "touch", "omega.7" and so on: `_stylet.device_models()` lists them."""
+        """The limits of a known model, such as "touch" or "omega.7"; `_stylet.device_models()`
+        lists all."""
         return restored(cls, _stylet.guard_config_for(model)).replace(**fields)
 
 
 class Guard(_stylet.Guard):
-    """For a device that is driven otherwise: each tick `sample`, then `force`, sent as it says."""
+    """For a device that your own loop drives: in each tick call `sample`, then `force`, and send
+    the force that it returns."""
 
     def __init__(self, config: GuardConfig | None = None) -> None:
         _stylet.refuse_second_init(self)
@@ -87,7 +89,7 @@ class Guard(_stylet.Guard):
 
 
 class LoopConfig(Struct):
-    """How the loop runs; `ticks` 0 is until it is stopped."""
+    """How the loop runs; with `ticks` 0 it runs until it is stopped."""
     _defaults = _stylet.default_loop_config
     processor: int
     priority: int
@@ -112,16 +114,16 @@ class Hand(Struct):
 
     @classmethod
     def at(cls, pose: Array, **fields: Any) -> Hand:
-        """Begins at a pose of the needle's handle, such as `pose_of_tip` gives."""
+        """The needle begins with its handle at this pose, such as `pose_of_tip` returns."""
         return cls(position_m=pose[:3], rotation_wxyz=pose[3:]).replace(**fields)
 
 
 class Loop(_stylet.Loop):
     """Devices that hold the needles of a simulation, with a guard for each.
 
-    Until it is closed the simulation is the loop's, and the devices are: it closes them. As a
-    context it is closed at the end. `take` says whether there is a newer tick; `output`, `hand`,
-    `surface` and `needle_shape` tell of the one that was taken last.
+    Until the loop is closed, it alone uses the simulation and the devices; it closes the devices.
+    In a with statement it is closed at the end. `take` says whether there is a newer tick;
+    `output`, `hand`, `surface` and `needle_shape` show the tick that was taken last.
     """
 
     def __init__(self, simulation: Simulation, devices: Device | Iterable[Device],
@@ -146,6 +148,6 @@ class Loop(_stylet.Loop):
         self.close()
 
     def acknowledge(self, needle: int = 0) -> None:
-        """Tells that somebody has seen the fault of a hand: the force may come back."""
+        """Says that somebody has seen the fault of a hand, so that the force may come back."""
         hand = self.hand(needle)
         self._acknowledge(needle, hand.fault, hand.fault_number)

@@ -24,12 +24,12 @@ LEAST_SHARE = 2.0 ** -54
 
 class Distribution(Protocol):
     def at(self, share: Array) -> Array:
-        """The number below which this share of the draws is."""
+        """The number below which this fraction of the draws lies."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Uniform:
-    """Every number from low to high alike."""
+    """Every number from low to high is equally probable."""
     low: float
     high: float
 
@@ -38,7 +38,7 @@ class Uniform:
             raise ValueError(f"{self}: expected low below high")
 
     def at(self, share: Array) -> Array:
-        """The number below which this share of the draws is."""
+        """The number below which this fraction of the draws lies."""
         width = self.high - self.low
         number = (self.low + share * width if math.isfinite(width)
                   else (1 - share) * self.low + share * self.high)
@@ -47,7 +47,7 @@ class Uniform:
 
 @dataclasses.dataclass(frozen=True)
 class LogUniform(Uniform):
-    """Every ratio alike, from low to high, which are above 0."""
+    """The logarithm is uniform from low to high; both are above 0."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -63,7 +63,7 @@ class LogUniform(Uniform):
 
 @dataclasses.dataclass(frozen=True)
 class Normal:
-    """Normal about the mean; with low or high, only what lies between."""
+    """Normal about the mean; with low or high, only the part between them."""
     mean: float
     deviation: float
     low: float = -math.inf
@@ -79,7 +79,7 @@ class Normal:
             raise ValueError(f"{self}: expected draws that are finite")
         below, above = self._shares()
         if not below < above:
-            raise ValueError(f"{self}: expected more between low and high than nothing")
+            raise ValueError(f"{self}: expected that draws between low and high are possible")
 
     def _upper(self) -> bool:
         """Whether all draws are above the mean. Shares are close together there; those of the other
@@ -105,8 +105,8 @@ class Normal:
 
 @dataclasses.dataclass(frozen=True)
 class LogNormal:
-    """The logarithm is normal: two draws in three are within `ratio` times or part of the median,
-    as tissue's numbers are told."""
+    """The logarithm is normal: two draws in three lie between median / ratio and median * ratio.
+    The numbers of tissues are often given in this way."""
     median: float
     ratio: float
 
@@ -124,7 +124,7 @@ class LogNormal:
 
 @dataclasses.dataclass(frozen=True)
 class Choice:
-    """Each of these values alike."""
+    """Each of these values is equally probable."""
     values: tuple[Any, ...]
 
     def __init__(self, *values: Any) -> None:
@@ -140,11 +140,12 @@ class Choice:
 
 def draw(distributions: Mapping[str, Distribution], count: int, seed: int,
          plain: bool = False) -> dict[str, Array]:
-    """Columns of `count` draws by name, the same for the same seed, on every machine.
+    """`count` draws of each distribution, as columns by name. The same seed gives the same draws on
+    every machine.
 
-    A Latin hypercube: each distribution is divided into `count` parts of equal probability, and
-    each has one draw, so that means are surer than those of `plain` draws, each by itself. A name's
-    draws do not depend on what else is drawn."""
+    The draws are a Latin hypercube: each distribution is divided into `count` parts of equal
+    probability, and one number is drawn from each part. So means vary less than those of `plain`,
+    independent draws. The draws of a name do not depend on what else is drawn."""
     number, columns = count_of("count", count), {}
     for name, distribution in distributions.items():
         random = np.random.default_rng([seed, *name.encode()])

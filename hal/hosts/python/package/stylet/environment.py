@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Needle insertion for learning, shaped as Gymnasium's environments: one, or many at once.
+"""Needle insertion for learning, in the form of Gymnasium's environments: one, or many at once.
 
-An episode begins with the tip outside the organ on a line to a target, and ends when the tip is in
-the target (`terminated`, reward +1), when the shaft touches a zone to keep out of or the kernel
-latches a fault (`terminated`, -1), or after `most_steps` (`truncated`). Each step's reward is
-besides that the way that the tip came nearer, as a share of the whole way at the start: so an
-episode that ends in the target is worth 1 and the share of the way that it came.
+An episode begins with the tip outside the organ, on a line to a target. It ends when the tip is in
+the target (`terminated`, reward +1), when the shaft touches a forbidden zone or the kernel latches
+a fault (`terminated`, reward -1), or after `most_steps` (`truncated`). In addition, each step is
+rewarded with the distance by which the tip came nearer to the target, as a fraction of the distance
+at the start. So an episode that ends in the target is worth 1 plus the fraction that it covered.
 """
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ OBSERVATION = {"way_to_target_m": 3, "rotation_wxyz": 4, "force_n": 3, "torque_n
 
 
 class NeedleEnv(Env):
-    """One needle, held by a learner; a gymnasium.Env where Gymnasium is installed.
+    """One needle, held by a learner. It is a gymnasium.Env if Gymnasium is installed.
 
-    An action is six numbers from -1 to 1: velocity of the handle along its own axes, in shares of
-    `speed_m_per_s`, and about them, in shares of `turning_rad_per_s`. The needle points along the
-    handle's -z, so that action[2] < 0 goes in. What is beyond is clipped, and then info's "clipped"
-    is True; nan or an infinity is refused, and nothing moves. An observation is OBSERVATION in a
-    row.
+    An action is six numbers from -1 to 1: the velocity of the handle along its own axes, as a
+    fraction of `speed_m_per_s`, and about them, as a fraction of `turning_rad_per_s`. The needle
+    points along the handle's -z, so action[2] < 0 pushes it in. Numbers beyond -1 and 1 are
+    clipped, and info["clipped"] is then True; with nan or an infinity the action is refused, and
+    nothing moves. An observation has the quantities of OBSERVATION one after the other.
     """
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 50}
 
@@ -50,11 +50,11 @@ class NeedleEnv(Env):
                  ticks_of_step: int = 20, most_steps: int = 1000, speed_m_per_s: float = 0.02,
                  turning_rad_per_s: float = 1.0, obstacles: Obstacle | Iterable[Obstacle] = (),
                  render_mode: str | None = None) -> None:
-        """`targets`: Targets, or a scene's file, of which they alone are taken (`of_scene` takes
-        more of it). The line to the target has `direction`, and the tip starts `start_m` before the
-        surface, or before the target if the line misses the organ; `scatter_m`: how far the line
-        may pass the target's middle. The defaults are a hand's: 20 mm/s, 1 rad/s, a decision every
-        20 ticks."""
+        """`targets`: a list of Targets, or a scene's file, of which only the targets are taken
+        (`of_scene` takes more of it). The line to the target has `direction`, and the tip starts
+        `start_m` before the surface, or before the target if the line misses the organ. The line
+        passes the middle of the target at a random distance of at most `scatter_m`. The defaults
+        are those of a hand: 20 mm/s, 1 rad/s, and a decision every 20 ticks."""
         self.organ, self.needle = organ, needle or Needle()
         if not isinstance(self.needle, Needle):
             raise TypeError(f"needle of {type(needle).__name__}: expected one stylet.Needle")
@@ -64,7 +64,7 @@ class NeedleEnv(Env):
         self.targets = targets if isinstance(targets, (list, tuple)) else read_targets(targets)
         self._goals = [target for target in self.targets if not target.forbidden]
         if not self._goals:
-            raise ValueError("targets: none that is not forbidden: expected one to reach")
+            raise ValueError("targets: all are forbidden, or there are none: expected one to reach")
         for target in self.targets:
             finite(f"target {target.name!r}: at_m", target.at_m, (3,))
             positive(f"target {target.name!r}: radius_m", target.radius_m)
@@ -86,10 +86,10 @@ class NeedleEnv(Env):
 
     @classmethod
     def of_scene(cls, path: Path, **options: Any) -> NeedleEnv:
-        """In the organ of a scene's file, to its targets, along its approach, with its obstacles:
-        a scene of Stylet's by its name, such as "lumbar-puncture", or a file, also such as
-        stylet-organ writes for a patient's label map. Needle, configuration and hand are not the
-        scene's; `options` are those of NeedleEnv, and win."""
+        """An environment with the organ, targets, obstacles and direction of approach of a scene.
+        The scene is given by its name, such as "lumbar-puncture", or as a file, such as
+        stylet-organ writes for a patient's label map. Needle, configuration and hand are not taken
+        from the scene. `options` are arguments of NeedleEnv, and override the scene."""
         path = scene_file(path)
         given: dict[str, Any] = {"organ": scene_organ, "targets": read_targets,
                                  "obstacles": read_obstacles, "direction": scene_direction}
@@ -98,8 +98,8 @@ class NeedleEnv(Env):
 
     def reset(self, *, seed: int | None = None,
               options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
-        """A new episode. With a seed, it and those that follow are the same each time. Options:
-        "target", the name of the one to reach instead of one that is drawn."""
+        """Begins an episode. With a seed, this episode and those that follow are the same each
+        time. Options: "target", the name of the target to reach; without it a target is drawn."""
         super().reset(seed=seed)
         self.target = self._drawn_target((options or {}).get("target"))
         tip_m = self._start(self.target)
@@ -116,7 +116,7 @@ class NeedleEnv(Env):
         return self._answer(self.simulation.run(self._poses(finite("action", action, (6,)))))
 
     def render(self) -> Array:
-        """The organ, the needle and the targets from the side, as an array (height, width, 3)."""
+        """A picture of organ, needle and targets from the side: an array (height, width, 3)."""
         return picture(self.simulation, self.targets, self.direction)
 
     def __repr__(self) -> str:
@@ -127,7 +127,7 @@ class NeedleEnv(Env):
 
     def _poses(self, action: Array) -> Array:
         if self._pose is None:
-            raise RuntimeError("step: no episode has begun: expected a call of reset before")
+            raise RuntimeError("step: no episode has begun: expected a call of reset first")
         self._clipped = bool((np.abs(action) > 1).any())
         action = np.clip(action, -1, 1)
         poses = moved(self._pose, self.speed_m_per_s * action[:3],
@@ -158,7 +158,7 @@ class NeedleEnv(Env):
         raise ValueError(f"target {name!r}: expected one of {[t.name for t in self._goals]}")
 
     def _start(self, target: Target) -> Array:
-        """Where the tip begins: before the first surface on the line from far outside."""
+        """Where the tip begins: before the surface that the line meets first from far outside."""
         info = self.organ.info
         size_m = float(np.linalg.norm(np.subtract(info.high_m, info.low_m)))
         through = np.asarray(target.at_m) + self._scattered()
@@ -168,8 +168,8 @@ class NeedleEnv(Env):
         return far + (meets_m - self.start_m) * self.direction
 
     def _scattered(self) -> Array:
-        """Uniform on a disc across the line; drawn also without scatter, so that the draws that
-        follow are the same."""
+        """A random offset, uniform on a disc across the line. It is drawn even without scatter, so
+        that later draws are the same."""
         radius = self.scatter_m * math.sqrt(self.np_random.random())
         angle = 2 * math.pi * self.np_random.random()
         right = np.cross(self.direction, np.eye(3)[np.argmin(np.abs(self.direction))])
@@ -197,8 +197,8 @@ class NeedleEnv(Env):
 
 
 class VectorNeedleEnv(VectorEnv):
-    """Environments of the same kind, whose simulations run at once; a gymnasium.vector.VectorEnv
-    where Gymnasium is installed.
+    """Environments of the same kind, whose simulations run at once. It is a
+    gymnasium.vector.VectorEnv if Gymnasium is installed.
 
     An environment whose episode has ended ignores the next action and begins a new one, with
     reward 0, as Gymnasium's vector environments do ("NextStep")."""
@@ -222,7 +222,8 @@ class VectorNeedleEnv(VectorEnv):
 
     def reset(self, *, seed: int | Sequence[int | None] | None = None,
               options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Array]]:
-        """Environment i gets seed + i, or the i-th of a list."""
+        """Begins an episode in each environment. Environment i gets seed + i, or the i-th seed of a
+        list."""
         if isinstance(seed, (int, np.integer)):
             super().reset(seed=int(seed))
             seed = [int(seed) + i for i in range(self.num_envs)]
@@ -265,7 +266,7 @@ class VectorNeedleEnv(VectorEnv):
 
 
 def columns(infos: Sequence[dict[str, Any]]) -> dict[str, Array]:
-    """Of each name the values of all environments, and under `_name`, as Gymnasium has it, which of
-    them have one: all."""
+    """For each name, an array of the values of all environments; and under `_name`, as Gymnasium
+    does it, which environments have a value: all."""
     out = {name: np.array([info[name] for info in infos]) for name in infos[0]}
     return {**out, **{f"_{name}": np.ones(len(infos), bool) for name in out}}

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parameters of a simulation from a measured curve, with their uncertainty.
+"""Finds parameters of a simulation from a measured curve, with their uncertainty.
 
-Every parameter is above 0 and is found by its logarithm, in which tissue's numbers differ. Sources:
+Every parameter is above 0, and its logarithm is searched, because the numbers of tissues differ by
+factors. Sources:
 Marquardt 1963 (the search); Seber and Wild, Nonlinear Regression, 1989, chapter 5 (intervals by the
 Jacobian and by the profile); Abramowitz and Stegun 26.7.3 to 26.7.5 (Student's t).
 
-A place where the curve breaks is known to the distance of the points alone, and the Jacobian tells
-nothing of it. So each end of an interval is tried: where the curve differs less there than the
-Jacobian says, the end is sought at which it does differ.
+Where the curve has a step, such as a puncture, a parameter that moves the step is known only to the
+distance of the curve's points, and the Jacobian says nothing about it. So each end of an interval
+is tried: if the curve differs less there than the Jacobian says, the end is searched at which it
+does differ.
 """
 from __future__ import annotations
 
@@ -49,7 +51,8 @@ End = tuple[Array, Array, Array, bool]  # x, residuals, Jacobian, whether it was
 
 @dataclasses.dataclass(frozen=True)
 class Fit:
-    """What `fit` found. `values` by name; `low` and `high` hold each with the `confidence`."""
+    """What `fit` found: `values` by name. With the `confidence`, each lies between `low` and
+    `high`."""
     values: dict[str, float]
     low: dict[str, float]
     high: dict[str, float]
@@ -69,8 +72,9 @@ class Fit:
                          for name, value in self.values.items())
 
     def profile(self, name: str) -> tuple[float, float]:
-        """Low and high by the profile: where the best fit of all others is worse by as much as the
-        confidence allows. It needs no straight line, and many more simulations."""
+        """The interval by the profile: from where to where the best fit of all other parameters is
+        no worse than the confidence allows. It does not assume that the curve follows the
+        parameters in a straight line, but needs many more simulations."""
         return self.search.profile(self, list(self.values).index(name))
 
 
@@ -78,13 +82,14 @@ def fit(simulate: Simulate, ranges: Mapping[str, Sequence[float]], measured: Arr
         sigma: ArrayLike | None = None, confidence: float = 0.95, starts: int = 3) -> Fit:
     """Finds the parameters whose simulated curve is nearest to the measured one.
 
-    `simulate` takes a list of dicts of parameters, and returns a curve for each, as long as
-    `measured`: so it may run them all at once. `ranges`: for each parameter where it is expected,
-    two numbers above 0. A Latin hypercube in them is simulated, and the search goes down from the
-    best `starts` of it, beyond the ranges if need be: for where tissue gives way, curves have
-    several nearest ones. `sigma`: standard deviation of the measured points, one or one each; None:
-    it follows from the residuals, and then holds what the model cannot do as well. A curve with
-    numbers that are not finite is none: the search goes round it."""
+    `simulate` takes a list of dicts of parameters and returns a curve for each, as long as
+    `measured`, so that it can run them all at once. `ranges`: for each parameter, two numbers above
+    0 between which it is expected. A Latin hypercube in these ranges is simulated, and the search
+    goes down from its best `starts` points, because curves of tissue that gives way have several
+    local minima; it may leave the ranges. `sigma`: the standard deviation of the measured points,
+    as one number or one for each; None: it is estimated from the residuals, and then includes what
+    the model cannot describe. A curve that has a number that is not finite is avoided by the
+    search."""
     if not ranges:
         raise ValueError("ranges: expected one parameter at least")
     drawn = draw({name: LogUniform(*finite(name, ends, (2,)).tolist())
@@ -100,20 +105,20 @@ def fit(simulate: Simulate, ranges: Mapping[str, Sequence[float]], measured: Arr
     if not (np.isfinite(deviation) & (deviation > 0)).all():
         raise ValueError(f"sigma = {deviation}: expected numbers above 0")
     if isinstance(starts, bool) or not isinstance(starts, (int, np.integer)) or starts < 1:
-        raise ValueError(f"starts = {starts!r}: expected a whole number from 1 on")
+        raise ValueError(f"starts = {starts!r}: expected a whole number of at least 1")
     allowed = quantile(confidence, np.inf if sigma is not None else len(measured) - len(ranges))
     search = Search(simulate, list(ranges), measured, deviation)
     costs = search.costs(points)
     order = [i for i in np.argsort(costs)[:starts] if np.isfinite(costs[i])]
     if not order:
         raise ValueError(f"simulate: no curve of finite numbers for any of {len(points)} draws "
-                         "from the ranges: expected one at least")
+                         "from the ranges: expected at least one")
     ends = np.log([list(each) for each in ranges.values()])
     return search.fit(points[order], sigma, confidence, allowed, ends)
 
 
 class Search:
-    """The way down, in logarithms `x` of the parameters and residuals in standard deviations."""
+    """The search, in logarithms `x` of the parameters and residuals in standard deviations."""
 
     def __init__(self, simulate: Simulate, names: list[str], measured: Array,
                  deviation: Array) -> None:
@@ -132,8 +137,8 @@ class Search:
         return costs_of(self.residuals(points))
 
     def slopes(self, x: Array, free: Array, ways: Array) -> tuple[Array, Array]:
-        """Residuals at x, and their derivatives by differences to both sides, or to that on which
-        there is a curve."""
+        """Residuals at x, and their derivatives by differences to both sides, or to the one side on
+        which there is a curve."""
         aside = [way * np.eye(len(x))[i] for i, way in zip(free, ways)]
         all_ = self.residuals([x] + [x + each for each in aside] + [x - each for each in aside])
         here, ahead, behind = all_[0], all_[1:1 + len(free)], all_[1 + len(free):]
@@ -147,9 +152,10 @@ class Search:
         return here, (sides / ((first * 1.0 + second) * np.asarray(ways)[:, None])).T
 
     def down(self, x: Array, free: Array) -> End:
-        """The nearest minimum over the free ones: x, residuals, Jacobian, whether it was found.
+        """The nearest minimum over the free parameters: x, residuals, Jacobian, whether it was
+        found.
 
-        Steps of several dampings are tried at once, as curves are best simulated together."""
+        Steps of several dampings are tried at once, because curves are best simulated together."""
         x, damping, ways = np.array(x), FIRST_DAMPING, np.full(len(free), LEAST_WAY)
         here, jacobian = self.slopes(x, free, ways)
         for _ in range(MOST_STEPS):
@@ -171,8 +177,9 @@ class Search:
         return x, here, jacobian, False
 
     def past_break(self, end: End, index: int, ends: Array) -> End:
-        """A better minimum, or the same: no slope leads past a place where the curve breaks. So
-        such a parameter is looked at all over its range, and then closely where it was best."""
+        """A better minimum, or the same one. No slope leads past a step of the curve, so the
+        parameter that moves the step is tried over its whole range, and then closely where it was
+        best."""
         for _ in range(2):
             places = np.linspace(ends[0], ends[1], LOOKED_ALONG)
             points = np.tile(end[0], (LOOKED_ALONG, 1))
@@ -212,8 +219,8 @@ class Search:
 
     def interval(self, best: End, covariance: Array, scale: float,
                  allowed: float) -> tuple[Array, Sequence[int]]:
-        """Low and high of each logarithm: by the Jacobian, or where the curve says otherwise; and
-        for which parameters it does."""
+        """The interval of each logarithm: by the Jacobian, or where the curve says otherwise; and
+        the parameters for which it does."""
         x, residuals, jacobian, _ = best
         half = allowed * np.sqrt(np.diag(covariance))
         ends = np.stack([x - half, x + half])
@@ -261,8 +268,8 @@ class Search:
 
 @dataclasses.dataclass(frozen=True)
 class Told:
-    """What the best fit tells: of the logarithms, with those whose intervals the Jacobian gets
-    wrong."""
+    """What the best fit says about the logarithms, with the parameters whose intervals the Jacobian
+    gets wrong."""
     covariance: Array
     scale: float
     ends: Array
@@ -270,8 +277,9 @@ class Told:
 
 
 def ways_of(index: int, half: Array, covariance: Array, alone: bool) -> tuple[Array, ...]:
-    """To the upper end of an interval: along the line on which the Jacobian says that the others
-    follow, and alone, since that may be wrong. Either is at most as long as the profile's."""
+    """Ways to the upper end of an interval: along the line on which the Jacobian says that the
+    other parameters follow, and with this parameter alone, since the Jacobian may be wrong. Either
+    is at most as long as the way to the profile's end."""
     if alone:
         return (LEAST_WAY * np.eye(len(half))[index],)
     return (covariance[:, index] * half[index] / covariance[index, index],
@@ -279,8 +287,9 @@ def ways_of(index: int, half: Array, covariance: Array, alone: bool) -> tuple[Ar
 
 
 def edge(rise_at: Callable[[float], float], first: float, allowed: float, most: float) -> float:
-    """How far from the best fit the curve differs by as much as is allowed; beyond it, where it
-    jumps. Infinite if up to `most` it does not."""
+    """The distance from the best fit at which the curve differs by as much as is allowed; if it
+    jumps there, a distance just beyond the jump. Infinite if it does not differ so much up to
+    `most`."""
     inner, outer, at = 0.0, np.inf, first
     for _ in range(MOST_LOOKS):
         if at > most:
@@ -298,7 +307,7 @@ def edge(rise_at: Callable[[float], float], first: float, allowed: float, most: 
 
 
 def costs_of(residuals: Array) -> Array:
-    """Sums of squares; that of a curve with numbers that are none is infinite."""
+    """Sums of squares; infinite for a curve with numbers that are not finite."""
     squares = (residuals ** 2).sum(axis=-1)
     return np.where(np.isfinite(squares), squares, np.inf)
 
@@ -310,8 +319,9 @@ def idle(jacobian: Array) -> Array:
 
 
 def covariance_of(jacobian: Array) -> Array:
-    """Of the parameters, for residuals of deviation 1. The curve does not determine those that it
-    follows FLAT times less than others, alone or together: their variance is infinite."""
+    """The covariance of the parameters, for residuals of deviation 1. If a parameter, or several
+    together, changes the curve FLAT times less than the others, the curve does not determine it:
+    the variance is infinite."""
     _, sizes, ways = np.linalg.svd(jacobian, full_matrices=False)
     flat = ~(sizes > FLAT * sizes.max())
     steep = ways[~flat] / sizes[~flat, None]
@@ -329,13 +339,13 @@ def step_of(normal: Array, gradient: Array, damping: float) -> Array:
 
 
 def errors_of(normal: Array, residuals: Array) -> Array:
-    """Standard errors as the curve's residuals say them."""
+    """Standard errors that follow from the curve's residuals."""
     variance = residuals @ residuals / max(len(residuals) - len(normal), 1)
     return np.sqrt(np.maximum(np.diag(np.linalg.pinv(normal)) * variance, 0))
 
 
 def quantile(confidence: float, freedom: float) -> float:
-    """How many standard errors to either side hold it: Student's t."""
+    """The number of standard errors to either side within which it lies: Student's t."""
     if not 0 < confidence < 1:
         raise ValueError(f"confidence = {confidence}: expected 0 to 1")
     if freedom <= EXACT_FREEDOM:
@@ -352,7 +362,8 @@ def quantile(confidence: float, freedom: float) -> float:
 
 
 def share_within(angle: float, freedom: int) -> float:
-    """What Student's t of whole degrees of freedom has within tan(angle) sqrt(freedom)."""
+    """The probability that Student's t, of a whole number of degrees of freedom, lies within
+    tan(angle) sqrt(freedom)."""
     odd, cosine = freedom % 2, math.cos(angle)
     term = cosine if odd else 1.0
     total = 0.0

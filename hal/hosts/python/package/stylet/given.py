@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers that users give, before numpy makes something else of them: it takes None for nan, drops
-imaginary parts, and names lengths where a name would help."""
+"""Checks of numbers that users give, before numpy changes them: it would take None as nan, drop
+imaginary parts, and name lengths where the name of the argument would help."""
 import operator
 import os
 from typing import Any
@@ -14,9 +14,9 @@ Path = str | os.PathLike[str]
 
 def real(name: str, value: ArrayLike | None, shape: tuple[int, ...] | None = None,
          none: str = "expected numbers") -> Array:
-    """The value as an array of real numbers: whole numbers or floats of any size are taken as they
-    are, anything else is refused by `name`. `shape`: that it must have. `none`: what to do instead
-    of giving None."""
+    """The value as an array of real numbers. Integers and floats of any size are accepted as they
+    are; anything else is refused, with `name` in the message. `shape`: which the array must have.
+    `none`: what the message says if the value is None."""
     if value is None:
         raise TypeError(f"{name} is None: {none}")
     if isinstance(value, (list, tuple)):
@@ -36,7 +36,7 @@ def real(name: str, value: ArrayLike | None, shape: tuple[int, ...] | None = Non
 
 
 def finite(name: str, value: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """The same, where nan and infinities are refused too."""
+    """The same, but nan and infinities are refused as well."""
     array = real(name, value, shape)
     if not np.isfinite(array).all():
         raise ValueError(f"{name} = {array}: expected finite numbers")

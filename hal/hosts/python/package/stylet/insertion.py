@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Straight insertions, as robots make them and papers report them."""
+"""Straight insertions, such as robots make and papers report."""
 import functools
 
 import numpy as np
@@ -13,7 +13,8 @@ from stylet.structs import Needle
 
 @functools.lru_cache(maxsize=8)
 def kept_organ(path: str) -> Organ:
-    """The organ in a file, read once in each process: for functions that sweep calls."""
+    """The organ in a file, which is read only once in each process: for functions that sweep
+    calls."""
     return Organ.read(path)
 
 
@@ -21,10 +22,11 @@ def insertion_poses(organ: Organ, needle: Needle, through_m: ArrayLike, directio
                     depth_m: float, speed_m_per_s: float, hold_s: float = 0.0,
                     retract: bool = False, before_m: float = 2e-3,
                     period_s: float = 1e-3) -> Array:
-    """Poses (ticks, 7) of a tip that moves along a line with constant speed: from `before_m` before
-    the organ's surface to `depth_m` behind it, where it holds still, and back again.
+    """Poses (ticks, 7) with which the tip moves along a line at constant speed: from `before_m`
+    before the organ's surface to `depth_m` below it. There it rests for `hold_s`, and comes back if
+    `retract` is true.
 
-    `through_m`: a place on the line."""
+    `through_m`: a point on the line."""
     way, through = unit("direction", direction), finite("through_m", through_m, (3,)).astype(float)
     size_m = float(np.linalg.norm(np.subtract(organ.info.high_m, organ.info.low_m)))
     far = through - 2 * size_m * way

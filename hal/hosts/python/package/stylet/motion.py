@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A handle that a learner moves: velocities in its own axes, as poses of every tick.
+"""The motion of a handle that a learner moves: velocities in the handle's axes become a pose for
+each tick.
 
 Frames: the handle's, whose needle points along -z, and the world. Source: Kuipers, Quaternions and
 Rotation Sequences, 1999.
@@ -26,7 +27,7 @@ def rotated(q: Array, v: Array) -> Array:
 
 
 def turns(velocity_rad_per_s: ArrayLike, times_s: ArrayLike) -> Array:
-    """The rotations that a constant velocity has made at each time."""
+    """The rotations by which a constant velocity has turned it at each time."""
     velocity = np.asarray(velocity_rad_per_s, float)
     speed = np.linalg.norm(velocity)
     half = 0.5 * speed * np.asarray(times_s)
@@ -36,9 +37,10 @@ def turns(velocity_rad_per_s: ArrayLike, times_s: ArrayLike) -> Array:
 
 def moved(pose: Array, velocity_m_per_s: ArrayLike, turning_rad_per_s: ArrayLike, period_s: float,
           ticks: int) -> Array:
-    """Poses (ticks, 7) of 64 bits that follow the pose with constant velocities in its axes."""
+    """Poses (ticks, 7) in double precision that follow the pose, with constant velocities in the
+    handle's axes."""
     rotations = product(pose[3:], turns(turning_rad_per_s, period_s * np.arange(ticks + 1)))
-    # Of unit length to begin with each time, so that nothing adds up over an episode.
+    # Unit length again each time, so that no error grows over an episode.
     rotations /= np.linalg.norm(rotations, axis=1)[:, None]
     ways = rotated(rotations[:-1], np.asarray(velocity_m_per_s) * period_s)
     return np.concatenate([pose[:3] + np.cumsum(ways, axis=0), rotations[1:]], axis=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers of stylet.h that mean something, by their names there."""
+"""The numbers of stylet.h that have a meaning, by their names there."""
 import enum
 
 NO_LAYER = 0xFFFFFFFF
@@ -42,7 +42,7 @@ class Phase(enum.IntEnum):
 
 
 class Flag(enum.IntFlag):
-    """What was wrong with a tick; FAULT stays, without force, until a reset."""
+    """What was wrong in a tick. FAULT stays until a reset, and there is no force meanwhile."""
     INPUT_NOT_FINITE = 1 << 0
     INPUT_CLAMPED = 1 << 1
     INPUT_MISSING = 1 << 2

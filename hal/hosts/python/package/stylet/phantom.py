@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The phantoms that are installed with Stylet's programs, ready made by stylet-organ."""
+"""The phantoms that stylet-organ has made, and that are installed with Stylet's programs."""
 import pathlib
 
 from stylet._stylet import Organ

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `stylet run --record` wrote: every tick of a run, as arrays, curves, or a run once more."""
+"""What `stylet run --record` wrote: every tick of a run, as arrays and curves, and to be run
+again."""
 from __future__ import annotations
 
 import math
@@ -35,8 +36,9 @@ SEEN = 1e-3  # of the largest force: less than a line is wide
 
 
 class Recording:
-    """One file. `recording["output/force_n"]` is a column of the first needle; hal/record/README.md
-    lists them. An unfinished recording (NAME.PROCESS.tmp) can be read, not replayed."""
+    """A recording in a file. `recording["output/force_n"]` is a column of the first needle;
+    hal/record/README.md lists the columns. An unfinished recording (NAME.PROCESS.tmp) can be read,
+    but not replayed."""
     scene_text: str
     scene_file: str
     organ_file: str
@@ -87,7 +89,8 @@ class Recording:
                              f"{FORMAT_VERSION}; record again")
 
     def _whole_ticks(self, file: Any) -> int:
-        """The ticks that all columns have: those of a file that grows differ by some rows."""
+        """The number of ticks that all columns have; in a file that still grows they differ by some
+        rows."""
         told = int(file.attrs["ticks"])
         places = ["", *(f"needle{i}/" for i in range(1, len(self.needles)))]
         columns = [column for place in places for name in TICK_GROUPS
@@ -104,11 +107,11 @@ class Recording:
 
     @property
     def time_s(self) -> Array:
-        """Since the start, at the end of each tick."""
+        """The time since the start, at the end of each tick."""
         return self.period_s * np.arange(1, self.ticks + 1)
 
     def column(self, name: str, needle: int = 0) -> Array:
-        """A column of one needle, a row a tick; read once."""
+        """A column of one needle, with a row for each tick. It is read from the file once."""
         if not 0 <= needle < len(self.needles):
             raise IndexError(f"{self.path}: needle {needle}: expected 0 to {len(self.needles) - 1}")
         place = name if needle == 0 else f"needle{needle}/{name}"
@@ -133,7 +136,7 @@ class Recording:
         return rows.view(np.recarray)
 
     def inputs(self) -> Array:
-        """What the kernel got, as `Simulation.run` takes it: (ticks, needles)."""
+        """The inputs of the kernel, as `Simulation.run` takes them: (ticks, needles)."""
         rows = np.empty((self.ticks, len(self.needles)), _stylet.input_dtype)
         rows["struct_bytes"] = _stylet.input_dtype.itemsize
         for i in range(len(self.needles)):
@@ -143,20 +146,21 @@ class Recording:
         return rows
 
     def force_n(self, cause: str | None = None, needle: int = 0) -> Array:
-        """Force along the needle's course; positive resists the way in. `cause`: a part of it."""
+        """Force along the direction of insertion; it is positive if it resists the insertion.
+        `cause`: one of CAUSES, for that part of the force."""
         column = "output/force_n" if cause is None else f"output/{cause}_n"
         return -self.column(column, needle) @ self.directions[needle]
 
     def replay(self, organ: Organ, check: bool = True) -> Simulation:
-        """Runs all ticks once more, and returns the simulation as it is at the end.
+        """Runs all ticks again, and returns the simulation as it is at the end.
 
-        Raises ValueError if this is another organ, the recording is not whole, or the state at
-        the end has other bits."""
+        Raises ValueError if the organ is another, the recording is incomplete, or the state at the
+        end has other bits."""
         if organ.info.hash != self.organ_hash:
             raise ValueError(f"{self.path}: recorded in organ {self.organ_hash:016x}, and this is "
                              f"{organ.info.hash:016x}")
         if self.lost_records or not self.final_state_hash:
-            raise ValueError(f"{self.path}: not whole, so it cannot be replayed")
+            raise ValueError(f"{self.path}: it is incomplete, so it cannot be replayed")
         simulation = Simulation(organ, self.needles, self.config, self.obstacles)
         inputs = self.inputs()
         for first in range(0, self.ticks, TICKS_OF_PART):
@@ -167,7 +171,8 @@ class Recording:
         return simulation
 
     def plot(self, needle: int = 0, figure: Any = None) -> Any:
-        """Force by cause over time and over depth, in a figure of matplotlib, which it returns."""
+        """Draws the force by cause over time, and over depth, in a figure of matplotlib, and
+        returns the figure."""
         if figure is None:
             import matplotlib.pyplot  # only who plots needs it
             figure = matplotlib.pyplot.figure(figsize=(7.5, 7), constrained_layout=True)
@@ -202,8 +207,8 @@ def text_of(file: Any, name: str) -> str:
 
 
 def stored_rows(column: Any, whole: bool = True) -> int:
-    """For how many rows of a column the file holds numbers. It may claim more, which would be read
-    as zeros for as long as there is memory: of a `whole` file that is refused."""
+    """The number of rows of a column for which the file holds numbers. A damaged file may claim
+    more, which would be read as zeros until memory is full: in a `whole` file that is refused."""
     row = math.prod(column.shape[1:])
     if column.is_virtual or column.external:
         stored = 0  # in other files
@@ -220,7 +225,7 @@ def stored_rows(column: Any, whole: bool = True) -> int:
 
 
 def table(group: Any, dtype: Any, whole: bool = True) -> Array:
-    """Columns of a group as the fields of a dtype; columns that it does not have are left out."""
+    """Columns of a group as the fields of a dtype; columns that the dtype lacks are left out."""
     rows = np.zeros(min(stored_rows(column, whole) for column in group.values()), dtype)
     for name in dtype.names:
         rows[name] = group[name][:len(rows)].reshape(rows[name].shape)

@@ -24,7 +24,7 @@ def picture(simulation: Simulation, targets: Iterable[Target] = (),
             direction: ArrayLike = (0, 0, -1)) -> Array:
     """The deformed surface, the needles and the targets as an array (height, width, 3) of bytes.
 
-    Seen from the side, parallel, with `direction` downwards."""
+    It is a parallel projection from the side, in which `direction` points down."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.collections import PolyCollection
     from matplotlib.figure import Figure
@@ -65,8 +65,8 @@ def circle(middle: Array, radius: float, colour: str) -> Any:
 
 
 def axes_of(direction: ArrayLike) -> tuple[Array, Array, Array]:
-    """Right, down and away from who looks: down is the direction, and the three are at right
-    angles."""
+    """Unit vectors to the right, down and away from the viewer, at right angles; down is the
+    direction."""
     down = np.asarray(direction, float) / np.linalg.norm(direction)
     away = np.cross(down, np.eye(3)[np.argmin(np.abs(down))])
     away /= np.linalg.norm(away)

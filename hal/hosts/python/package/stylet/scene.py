@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What of a scene's file an environment needs besides its targets: organ, obstacles, the way in.
+"""What an environment needs from a scene's file besides its targets: organ, obstacles and
+direction.
 
-Keys and defaults are those of hal/scene/README.md.
+hal/scene/README.md has the keys and defaults.
 """
 import json
 import pathlib
@@ -29,8 +30,8 @@ def read(path: Path) -> dict[str, Any]:
 
 
 def scene_file(given: Path) -> pathlib.Path:
-    """The file of a scene that is given by its name, such as "lumbar-puncture", or as a file; a
-    file wins."""
+    """The file of a scene. It is given as a file, or by the name of a scene that comes with Stylet,
+    such as "lumbar-puncture"; if there is a file of that name, it is taken."""
     path = pathlib.Path(given)
     if path.exists() or path.parent != pathlib.Path() or path.suffix == ".toml":
         return path
@@ -45,8 +46,8 @@ def scene_file(given: Path) -> pathlib.Path:
 
 
 def scene_organ(path: Path) -> Organ:
-    """The organ that a scene's file names, relative to it; that of a scene which comes with Stylet
-    is made on first use and kept, as `stylet run` does it."""
+    """The organ that a scene's file names, relative to that file. The organ of a scene that comes
+    with Stylet is made on first use and kept, as `stylet run` does."""
     name = read(path).get("organ", {}).get("path")
     if not isinstance(name, str):
         raise ValueError(f"{path}: organ.path = {name!r}: expected an organ's file")
@@ -57,7 +58,7 @@ def scene_organ(path: Path) -> Organ:
 
 
 def made_organ(path: Path, organ: pathlib.Path) -> pathlib.Path:
-    """The file of the organ that the program makes or has made."""
+    """The file of the organ, which the program makes unless it is there."""
     if place.program() is None:
         raise FileNotFoundError(f"{organ}: no such file: `stylet run {path}` makes it once "
                                 "(Debian: package stylet)")
@@ -75,13 +76,13 @@ def asked(*words: Path) -> str:
 
 
 def scene_direction(path: Path) -> Array:
-    """Of insertion, of any length but zero."""
+    """The direction of insertion; its length is any but zero."""
     return read(path).get("approach", {}).get("direction", [1, 0, 0])
 
 
 def read_obstacles(path: Path) -> list[Obstacle]:
-    """The bodies that no needle enters, of a scene's file, in its order; also such as stylet-organ
-    writes for a label map. Of a scene without any, an empty list."""
+    """The bodies of a scene's file that no needle enters, in its order; stylet-organ also writes
+    such files, for a label map. An empty list if the scene has none."""
     rows = read(path).get("obstacles", [])
     return [obstacle(path, f"obstacles[{i}]", row) for i, row in enumerate(rows)]
 
@@ -114,7 +115,7 @@ def obstacle(path: Path, place: str, row: dict[str, Any]) -> Obstacle:
 
 
 def turned(degrees: ArrayLike) -> Array:
-    """The quaternion of turns about the world's x, then y, then z."""
+    """The quaternion of a rotation about the world's x, then y, then z."""
     result = np.array([1.0, 0, 0, 0])
     for axis, angle in zip(np.eye(3), np.radians(degrees)):
         result = product(turns(angle * axis, [1.0])[0], result)

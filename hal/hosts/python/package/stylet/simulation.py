@@ -29,9 +29,10 @@ def rows_of(structs: Struct | Iterable[Struct], kind: type[Struct]) -> list[Arra
 class Simulation(_stylet.Simulation):
     """Needles in an organ.
 
-    What it shows (what `tick` returns, `surface`, `particles`) is its own memory, for reading, and
-    is written anew by the next such call: copy what must stay. What `run` returns is the caller's.
-    One thread at a time; the interpreter is free for others while ticks are computed.
+    The arrays that `tick`, `surface` and `particles` return are the simulation's own memory: they
+    can only be read, and the next such call overwrites them, so copy what you want to keep. The
+    array that `run` returns belongs to the caller. Use a simulation in one thread at a time; other
+    Python threads can run while ticks are computed.
     """
 
     def __init__(self, organ: Organ, needles: Needle | Iterable[Needle] | None = None,
@@ -48,7 +49,7 @@ class Simulation(_stylet.Simulation):
         return f"<stylet.{type(self).__name__} in {self.organ!r}: needles {self.needles}>"
 
     def clone(self: Own) -> Own:
-        """A second simulation in the same state, which shares the organ."""
+        """A second simulation in the same state; both share the organ."""
         other = type(self).__new__(type(self))
         _stylet.Simulation.__init__(other, self)
         vars(other).update(vars(self))  # also what a class of one's own has
@@ -64,14 +65,15 @@ class Simulation(_stylet.Simulation):
         return other
 
     def set_obstacles(self, obstacles: Obstacle | Iterable[Obstacle]) -> None:
-        """Bodies fixed in the world, instead of those given before. Before the first tick only."""
+        """Bodies fixed in the world; they replace those given before. Only before the first
+        tick."""
         self._set_obstacles(rows_of(obstacles, Obstacle))
 
 
 class VectorSimulation:
-    """Many simulations, which the library's own threads run at once.
+    """Many simulations, which threads of the library run at once.
 
-    `threads` is 0 for one on each processor. The results do not depend on it.
+    `threads`: how many; 0: one on each processor. The results do not depend on it.
     """
 
     def __init__(self, simulations: Iterable[Simulation], threads: int = 0) -> None:
@@ -91,7 +93,8 @@ class VectorSimulation:
             out: Array | None = None) -> Any:
         """Poses (simulations, ticks, needles, 7) give outputs (simulations, ticks, needles).
 
-        Where there is one needle its axis may be left out. `out` is filled and returned."""
+        If there is one needle, its axis may be left out. If `out` is given, it is filled and
+        returned."""
         outputs = self._batch.run(poses, valid, out)
         return outputs.view(np.recarray) if out is None else outputs
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A space of numbers between two bounds, as Gymnasium has it: the part of it that learners use."""
+"""A space of numbers between two bounds, like Gymnasium's: the part of it that learners use."""
 from __future__ import annotations
 
 from typing import Any
@@ -11,8 +11,8 @@ from stylet.bases import BoxBase
 
 
 class Box(BoxBase):
-    """Arrays between `low` and `high`, which may be infinite; a gymnasium.spaces.Box where
-    Gymnasium is installed. The same seed draws the same with and without it."""
+    """Arrays between `low` and `high`, which may be infinite. If Gymnasium is installed, it is a
+    gymnasium.spaces.Box; the same seed draws the same numbers with and without Gymnasium."""
 
     def __init__(self, low: ArrayLike, high: ArrayLike, shape: tuple[int, ...] | None = None,
                  dtype: DTypeLike = np.float32, seed: int | None = None) -> None:
@@ -24,7 +24,8 @@ class Box(BoxBase):
 
     def sample(self, mask: None = None, probability: None = None, *,
                seed: int | None = None) -> np.ndarray:
-        """Uniform between two bounds, exponential from one, normal without any."""
+        """A random array: uniform between two finite bounds, exponential from a single one, normal
+        without any."""
         if mask is not None or probability is not None:
             raise ValueError("a Box takes no mask and no probability")
         if seed is not None:
@@ -57,6 +58,6 @@ class Box(BoxBase):
 
 
 def stacked(box: Box, count: int) -> Box:
-    """The space of `count` of them, one a row."""
+    """The space of `count` such arrays, one in each row."""
     return Box(np.tile(box.low, (count,) + (1,) * box.low.ndim),
                np.tile(box.high, (count,) + (1,) * box.high.ndim), dtype=box.dtype)

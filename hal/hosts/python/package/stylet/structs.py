@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a simulation is made with: needles, obstacles, configuration.
+"""What a simulation is made of: needles, obstacles and configuration.
 
-Fields have the names and defaults of stylet.h; another name is refused. Which values are accepted
-is known to the library alone, which refuses others when a simulation is made.
+Fields have the names and defaults of stylet.h; other names are refused. Only the library knows
+which values are accepted: it refuses others when a simulation is made.
 """
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Own = TypeVar("Own", bound="Struct")
 
 
 class Struct:
-    """One row of a dtype, whose fields are attributes."""
+    """One row of a structured array, whose fields are attributes."""
     _defaults: Callable[[], Array]
     _row: Any
 
@@ -68,7 +68,7 @@ class Struct:
         return restored, (type(self), self._row)
 
     def replace(self: Own, **fields: Any) -> Own:
-        """The same with other values in these fields."""
+        """A copy with other values in these fields."""
         made = restored(type(self), self._row)
         for name, value in fields.items():
             setattr(made, name, value)
@@ -82,7 +82,7 @@ def restored(kind: type[Own], row: Array) -> Own:
 
 
 def whole(name: str, value: Any) -> int:
-    """The value as a number without sign that 32 bits hold; numpy would take it modulo that."""
+    """The value as an unsigned number of 32 bits; numpy would take larger ones modulo 2^32."""
     if isinstance(value, str):
         words = WORDS.get(name, ())
         if value not in words:
@@ -108,7 +108,7 @@ class Config(Struct):
     paper_alpha: float
     breathing_amplitude_m: Array
     breathing_period_s: float
-    gravity_m_per_s2: Array  # that the shape at rest does not have in it
+    gravity_m_per_s2: Array  # beyond that which shaped the organ
 
 
 class Needle(Struct):
@@ -125,9 +125,9 @@ class Needle(Struct):
     torsion_nm2: float
     tip_half_angle_rad: float
     torn_diameters: float
-    hub: int  # or "closed", "open", "syringe"; what follows is only read if it is not closed
+    hub: int  # or "closed", "open", "syringe"; the rest is only read if it is not closed
     bore_radius_m: float
-    opening_m: float  # its middle, from the tip
+    opening_m: float  # distance of its middle from the tip
     filling_pa_s: float
     plunger_radius_m: float
     plunger_friction_n: float
@@ -150,7 +150,7 @@ class Obstacle(Struct):
     vertex_count: int
     position_m: Array
     rotation_wxyz: Array
-    vertices_m: Array  # (64, 3), of which vertex_count are meant
+    vertices_m: Array  # (64, 3); the first vertex_count count
     rounding_m: float
     stiffness_n_per_m: float
     largest_force_n: float
@@ -158,7 +158,7 @@ class Obstacle(Struct):
 
     @classmethod
     def box(cls, half_m: ArrayLike, **fields: Any) -> Obstacle:
-        """A box from -half_m to half_m, about its own position."""
+        """A box from -half_m to half_m around its own position."""
         x_m, y_m, z_m = map(float, real("half_m", half_m, (3,)))
         return restored(cls, _stylet.box_obstacle(x_m, y_m, z_m)).replace(**fields)
 
@@ -169,7 +169,7 @@ class Obstacle(Struct):
 
     @classmethod
     def hull(cls, vertices_m: ArrayLike, **fields: Any) -> Obstacle:
-        """The convex hull of at most 64 places."""
+        """The convex hull of at most 64 points."""
         vertices_m = real("vertices_m", vertices_m)
         places = np.zeros((64, 3), np.float32)
         if vertices_m.ndim != 2 or vertices_m.shape[1] != 3 or len(vertices_m) > len(places):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One function for many parameters, on all processors or on a cluster; results in one table.
+"""Calls one function for many parameters, on all processors or on a cluster, and keeps the results
+in one table.
 
-Resumed from its file after anything that stopped it: only rows that are not done are run.
+Whatever stops a sweep, it can be resumed from its file: only rows that are not done are run.
 """
 from __future__ import annotations
 
@@ -45,22 +46,25 @@ def sweep(function: Function, parameters: Mapping[str, Any] | Iterable[Mapping[s
           progress: Callable[[int, int], object] | None = None) -> dict[str, Array]:
     """Calls function(**row) for each row, and returns a dict of columns.
 
-    `parameters`: columns of one length by name, or a list of dicts. `function` returns a dict
-    of numbers, texts or arrays of one shape, and can be imported by another process. It runs in
-    `workers` processes (None: one a processor; 0: in this one), or on a Dask `client`. The
-    columns are the parameters', the results', and "error": empty, or why a row failed: it
-    raised, ended its process, or gave what does not fit to the rows before; its results are
-    nan, 0 or empty. With `path`, all is kept in an HDF5 file, and rows that are there are not
-    run again, but for those that failed; a file of other parameters, of other `attributes`, of
-    another version or of a function of another name is refused, as is one that another sweep is
-    writing or that is not as sweep left it.
+    `parameters`: columns of equal length by name, or a list of dicts. `function` returns a dict of
+    numbers, texts or arrays of one shape, and another process must be able to import it. It runs in
+    `workers` processes (None: one for each processor; 0: in this process), or on a Dask `client`.
+    The columns are those of the parameters, those of the results, and "error", which is empty or
+    says why the row failed: the function raised an exception, ended its process, or returned what
+    does not fit the rows before. The results of a failed row are nan, 0 or empty.
 
-    `progress` is called with how many rows are done and how many there are, before the first and
-    after each. What it raises ends the sweep; what was done is in the file.
+    With `path`, everything is kept in an HDF5 file. Rows that it contains are not run again, except
+    those that failed. A file is refused if it has other parameters or `attributes`, was written by
+    another version or for a function of another name, is being written by another sweep, or was
+    changed since a sweep wrote it.
 
-    The file's attributes are `attributes`, such as a seed, the library's version and the name of
-    the function; a column's attribute is its unit, as its name ends (force_n: N). read_table gives
-    the columns again."""
+    `progress` is called with the number of rows that are done and the number of all rows, before
+    the first row and after each. If it raises an exception, the sweep ends; the rows that are done
+    are in the file.
+
+    The file has `attributes`, such as a seed, and the library's version and the name of the
+    function. Each column has its unit as an attribute, taken from the end of its name (force_n: N).
+    read_table reads the columns."""
     parameters = columns_of(parameters)
     with alone(path):
         table = Table(parameters, path, {**own(attributes), "version": _stylet.version(),
@@ -91,7 +95,8 @@ def own(attributes: Mapping[str, Any] | None) -> Mapping[str, Any]:
 
 
 def name_of(function: Any) -> str:
-    """Its name with that of its module; a script's is its file's, run or imported."""
+    """The function's name with that of its module. A script's module is named after its file,
+    whether it is run or imported."""
     while isinstance(function, functools.partial):
         function = function.func
     named = function if hasattr(function, "__qualname__") else type(function)
@@ -104,9 +109,9 @@ def name_of(function: Any) -> str:
 
 @contextlib.contextmanager
 def alone(path: Path | None) -> Iterator[None]:
-    """While this lasts, no other sweep writes that table: two would each write over the other's
-    rows. The lock is on a file beside it, as the table is replaced whenever it is saved, and ends
-    with its process, however that ends."""
+    """Keeps other sweeps from writing the same table, where two would overwrite each other's rows.
+    The lock is on a file beside the table, because the table's file is replaced whenever it is
+    saved. It ends with its process, however that ends."""
     if path is None:
         yield
         return
@@ -152,7 +157,7 @@ def is_still(path: str, file: Any) -> bool:
 
 def finished(function: Function, table: Table, todo: list[int], workers: int | None,
              client: Any) -> Iterator[Answer]:
-    """Each row's index, result and error, as it ends."""
+    """Each row's index, result and error, in the order in which rows end."""
     if client is None and workers == 0:
         for index in todo:
             yield index, *attempt(function, table.row(index))
@@ -174,7 +179,7 @@ def finished(function: Function, table: Table, todo: list[int], workers: int | N
 
 
 def require_importable(function: Function) -> None:
-    """What cannot be sent to another process is known before the processes are there: their pool
+    """Refuses a function that cannot be sent to another process, before there are any: their pool
     would wait for it for ever."""
     try:
         pickle.dumps(function)
@@ -203,7 +208,7 @@ def in_processes(function: Function, table: Table, todo: list[int],
 
 
 def of_pool(function: Function, table: Table, todo: list[int], workers: int) -> Iterator[Answer]:
-    """Each row's index, result and error, of all rows, or until a process ends."""
+    """Each row's index, result and error, for all rows or until a process ends."""
     pool = concurrent.futures.ProcessPoolExecutor(workers, initializer=end_with_parent,
                                                   initargs=(os.getpid(),))
     try:
@@ -217,7 +222,8 @@ def of_pool(function: Function, table: Table, todo: list[int], workers: int) -> 
 
 
 def end_with_parent(parent: int) -> None:
-    """So that nobody computes on for a sweep that was killed (Linux: prctl, PR_SET_PDEATHSIG)."""
+    """Ends this process with its parent, so that nothing computes on for a sweep that was killed
+    (Linux: prctl, PR_SET_PDEATHSIG)."""
     prctl = getattr(ctypes.CDLL(None), "prctl", None)
     if prctl is not None:
         prctl(1, signal.SIGKILL)
@@ -226,7 +232,7 @@ def end_with_parent(parent: int) -> None:
 
 
 def attempt(function: Function, row: dict[str, Any]) -> tuple[dict[str, Array] | None, str]:
-    """The row's result, or why there is none: one failure must not end thousands of others."""
+    """The row's result, or why there is none: one failure must not end thousands of other rows."""
     try:
         return {name: number_or_text(name, value)
                 for name, value in dict(function(**row)).items()}, ""
@@ -235,7 +241,7 @@ def attempt(function: Function, row: dict[str, Any]) -> tuple[dict[str, Array] |
 
 
 def told(error: BaseException) -> str:
-    """A text that every file takes, whatever the error says of itself."""
+    """The error as a text that every file accepts, whatever it contains."""
     try:
         text = f"{type(error).__name__}: {error}"
     except Exception:
@@ -269,7 +275,7 @@ def columns_of(parameters: Mapping[str, Any] | Iterable[Mapping[str, Any]]) -> d
 
 
 class Table:
-    """Parameters and what is known of their results; the file appears as a whole or not at all."""
+    """Parameters and the results so far. Its file is written as a whole or not at all."""
 
     def __init__(self, parameters: dict[str, Array], path: Path | None,
                  attributes: Mapping[str, Any]) -> None:
@@ -289,7 +295,8 @@ class Table:
     def add(self, index: int, result: dict[str, Array] | None, error: str) -> None:
         if result and self.loaded and not any(name in self.loaded for name in result):
             raise ValueError(f"{self.path}: has the results {', '.join(self.loaded)}, and the "
-                             f"function gives {', '.join(result)}: expected that which wrote it")
+                             f"function gives {', '.join(result)}: expected the "
+                             "function that wrote it")
         result = result or {}
         try:
             columns = {name: self.with_room_for(name, value) for name, value in result.items()}
@@ -304,7 +311,8 @@ class Table:
             self.save()
 
     def with_room_for(self, name: str, value: Array) -> Array:
-        """A first row of whole numbers must not round the others."""
+        """The column, of a type that also holds this value: a first row of integers must not round
+        later rows."""
         if name in self.parameters or name == "error":
             raise ValueError(f"result {name} has the name of another column")
         column = self.results.get(name)
@@ -318,7 +326,8 @@ class Table:
             return column
         if {column.dtype.kind, value.dtype.kind} == {"i", "u"}:  # numpy would round both
             if (column < 0).any() or (value < 0).any():
-                raise ValueError(f"result {name}: whole numbers below 0 and from 2^63 on")
+                raise ValueError(f"result {name}: integers below 0 and from 2^63 on: expected "
+                                 "numbers that one type holds")
             return column.astype(np.uint64)
         wider = column.astype(np.result_type(column, value))
         if wider.dtype.kind in "fc" and column.dtype.kind not in "fc":
@@ -367,11 +376,11 @@ class Table:
 
 
 def require_table(path: Path, file: Any) -> None:
-    """A file that sweep left so, and nobody changed since: its list has all columns, each a row for
-    each."""
+    """Refuses a file that was changed since sweep wrote it: its list must have all columns, and
+    each column as many rows."""
     listed = file.attrs.get("columns")
     if listed is None or "rows/done" not in file or "rows/error" not in file:
-        raise ValueError(f"{path}: is no table of sweep: expected one, or a new path")
+        raise ValueError(f"{path}: not a table of sweep: expected one, or a new path")
     columns = {name: file[group][name] for group in ("parameters", "results")
                for name in file.get(group, {})}
     for name in listed:
@@ -381,7 +390,7 @@ def require_table(path: Path, file: Any) -> None:
     rows = len(file["rows/done"])
     for name, column in {**columns, "error": file["rows/error"]}.items():
         if name not in listed:
-            raise ValueError(f"{path}: column {name} is none of this table's: expected the table "
+            raise ValueError(f"{path}: column {name} is not of this table: expected the table "
                              "that sweep left")
         texts = isinstance(column, h5py.Dataset) and h5py.check_string_dtype(column.dtype)
         if not isinstance(column, h5py.Dataset) or not (texts or column.dtype.kind in "biufc") or (
@@ -390,7 +399,8 @@ def require_table(path: Path, file: Any) -> None:
 
 
 def nameless(path: Path, function: str) -> str:
-    """Tables of versions before functions had names in them: only who made it knows whose it is."""
+    """The message about a table of an old version, which has no name of a function: only its author
+    knows which function it belongs to."""
     name = f"h5py.File({os.fspath(path)!r}, 'r+').attrs['function'] = {function!r}"
     return (f"{path}: does not say which function wrote it, as tables of earlier versions do not: "
             f"expected another path; or, if it was {function}, its name in the file: "
@@ -398,12 +408,12 @@ def nameless(path: Path, function: str) -> str:
 
 
 def plain(value: Any) -> Any:
-    """A number or text of Python's own, which every function takes."""
+    """A number or text of Python's own types, which every function accepts."""
     return value.item() if isinstance(value, np.generic) else value
 
 
 def empty_column(rows: int, value: Array) -> Array:
-    """Room for such a value in every row; whole numbers keep their kind."""
+    """Room for such a value in every row; integers stay integers."""
     if value.dtype.kind in "US":
         return np.full((rows, *value.shape), "", object)
     missing = np.nan if value.dtype.kind in "fc" else 0
@@ -431,8 +441,8 @@ def unit_of(name: str) -> str:
 
 
 def read_table(path: Path) -> tuple[dict[str, Array], dict[str, Any]]:
-    """The columns in a file of sweep, and its attributes. The error of a row that has not been run
-    yet says so."""
+    """The columns in a file of sweep, and its attributes. For a row that has not been run yet,
+    "error" says so."""
     with h5py.File(path, "r") as file:
         columns = {name: got(file[group][name]) for group in ("parameters", "results")
                    for name in file.get(group, {})}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Places to reach and zones to keep out of, as the [[targets]] of a scene.
+"""Targets to reach and zones to keep out of, such as the [[targets]] of a scene.
 
-They are places in the organ at rest: they do not move with the tissue.
+They are places in the organ at rest, and do not move with the tissue.
 """
 import dataclasses
 
@@ -21,14 +21,14 @@ class Target:
 
 
 def read_targets(path: Path) -> list[Target]:
-    """Those of a scene's file, in its order. Keys: hal/scene/README.md."""
+    """The targets of a scene's file, in its order. hal/scene/README.md has their keys."""
     rows = read(path).get("targets", [])
     if not rows:
-        raise ValueError(f"{path}: no [[targets]]: expected one at least")
+        raise ValueError(f"{path}: no [[targets]]: expected at least one")
     for i, row in enumerate(rows):
         for key in ("name", "at_mm", "radius_mm"):
             if key not in row:
-                raise ValueError(f"{path}: targets[{i}].{key}: missing: expected it in each")
+                raise ValueError(f"{path}: targets[{i}].{key}: missing: expected it in each target")
         finite(f"{path}: targets[{i}].at_mm", row["at_mm"], (3,))
         positive(f"{path}: targets[{i}].radius_mm", row["radius_mm"])
     return [Target(row["name"], tuple(1e-3 * float(x) for x in row["at_mm"]),
@@ -37,7 +37,7 @@ def read_targets(path: Path) -> list[Target]:
 
 
 def distance_to_segment_m(at_m: ArrayLike, from_m: ArrayLike, to_m: ArrayLike) -> float:
-    """How far a place is from a straight piece, such as the shaft."""
+    """The distance of a place from a straight line segment, such as the shaft."""
     at, start, way = (np.asarray(at_m, float), np.asarray(from_m, float),
                       np.subtract(to_m, from_m, dtype=float))
     square = way @ way

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Put it on an object with a MeshFilter and a MeshRenderer: the organ. `hand` is the object whose
-// position is the needle's tip and whose forward is its direction. With `device` set ("hd:" and so
-// on, or "simulated") a haptic device holds the needle, and `hand` is where it starts.
+// Put this on an object with a MeshFilter and a MeshRenderer: it becomes the organ. The position of
+// `hand` is the needle's tip, its forward the needle's direction. If `device` is set ("hd:" and so
+// on, or "simulated"), a haptic device holds the needle, and `hand` is where it starts.
 using Stylet;
 using UnityEngine;
 
@@ -33,7 +33,7 @@ public sealed class Insert : MonoBehaviour {
     loop.Start();
   }
 
-  void FixedUpdate() {  // without a device: ten ticks a fixed step, toward where the hand is
+  void FixedUpdate() {  // without a device: ten ticks in a fixed step, towards the hand's place
     if (simulation == null || device != "") return;
     simulation.Inputs[0].valid = 1;
     simulation.Inputs[0].handle = UnityFrame.PoseOfTip(hand, needle);
@@ -48,7 +48,7 @@ public sealed class Insert : MonoBehaviour {
     surface.Show(loop.Vertices);
     UnityFrame.Draw(line, loop.Nodes, loop.NeedleShape(0));
     if (loop.Hands[0].fault == 0) return;
-    Debug.LogWarning(Loop.FaultName(loop.Hands[0].fault) + ": press space once seen");
+    Debug.LogWarning(Loop.FaultName(loop.Hands[0].fault) + ": press space when you have seen it");
     if (UnityEngine.Input.GetKeyDown(KeyCode.Space)) loop.Acknowledge(0);
   }
 
