@@ -480,14 +480,33 @@ TEST(Graded, RefusedWithTheirPlace) {
     o.sheets->ties.emplace_back(2, 5, 5, 0);
   };
   EXPECT_EQ(refusal_of(tie_one, 1), "sheets.ties[16]: a node that does not hang");
-  const auto with_others = "levels[0]: neither membranes nor slides where there are levels";
-  EXPECT_EQ(refusal_of([](Owner& o) {
-              o.membranes = std::make_unique<format::MembranesT>();
-              o.membranes->points.resize(3);
-              o.membranes->triangles.emplace_back(0, 1, 2);
-              o.membranes->cells.emplace_back(0, 0, 0, 0, 0, 1, 1.0F);
-            }),
-            with_others);
+}
+
+// Level 0 has 2 x 2 x 2 cells, level 1 twice as many each way, from plane 3 to 6.
+TEST(Graded, MembranesAreRefusedWithTheirPlace) {
+  using Cell = format::MembraneCell;
+  const auto refusal = [](Cell cell) {
+    return refusal_of([=](Owner& o) {
+      o.membranes = std::make_unique<format::MembranesT>();
+      o.membranes->points.resize(3);
+      o.membranes->triangles.emplace_back(0, 1, 2);
+      o.membranes->cells.push_back(cell);
+    });
+  };
+  EXPECT_EQ(refusal({1, 1, 1, 0, 0, 1, 1}), "");
+  EXPECT_EQ(refusal({3, 3, 6, 0, 0, 0, 1}), "");
+  const char* const no_cell = "membranes.cells[0]: a cell of the lattice";
+  EXPECT_EQ(refusal({2, 1, 1, 0, 0, 1, 1}), no_cell);
+  EXPECT_EQ(refusal({1, 2, 1, 0, 0, 1, 1}), no_cell);
+  EXPECT_EQ(refusal({1, 1, 2, 0, 0, 1, 1}), no_cell) << "the plane between levels";
+  EXPECT_EQ(refusal({4, 3, 6, 0, 0, 0, 1}), no_cell);
+  EXPECT_EQ(refusal({3, 4, 6, 0, 0, 0, 1}), no_cell);
+  EXPECT_EQ(refusal({3, 3, 7, 0, 0, 0, 1}), no_cell);
+  EXPECT_EQ(refusal({0, 0, 65535, 0, 0, 0, 1}), no_cell);
+  const char* const triangles =
+      "membranes.cells.first[0]: triangles of the list, at least 1; none at a finer level";
+  EXPECT_EQ(refusal({1, 1, 1, 0, 0, 0, 1}), triangles);
+  EXPECT_EQ(refusal({3, 3, 6, 0, 0, 1, 1}), triangles);
 }
 
 }  // namespace

@@ -480,7 +480,7 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
     add_tissues(claimed.levels[level], lattices[level], claimed, options, materials, parts, held);
   }
   warn_of_losses(held, lattices, given, materials.tissues, warnings);
-  parts.membranes = place_membranes(options.membranes, lattices.front(), materials, warnings);
+  parts.membranes = place_membranes(options.membranes, lattices, materials, warnings);
   SlideLists slides = place_slides(options.slides, claimed, lattices.front(), warnings);
   parts.slide_points = std::move(slides.points);
   parts.slide_grounds = std::move(slides.grounds);
