@@ -82,10 +82,6 @@ TEST(RefineTexts, WhatNeedsVoxelsOfOneSizeIsRefusedBeside) {
   EXPECT_EQ(refusal_for(settings, tissues), "");
   EXPECT_EQ(refusal_for(settings, tissues + "[[slide]]\ntissue = \"kidney\"\non = \"fat\"\n"),
             with("tissues that slide"));
-  const char* const gaps = "gaps that are kept open (--split-gaps, or gaps = \"open\")";
-  EXPECT_EQ(refusal_for(settings, tissues + "[contact]\ngaps = \"open\"\n"), with(gaps));
-  settings.split_gaps = true;
-  EXPECT_EQ(refusal_for(settings, tissues), with(gaps));
 }
 
 TEST(RefineTexts, TissuesAndRecipesAreChecked) {
