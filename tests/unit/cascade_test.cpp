@@ -158,6 +158,9 @@ TEST(Cascade, EachLevelStaysWithinItsPartInSheets) {
     const View view = view_of(body.session.kernel);
     const Shadows& shadows = view.model.head->shadows;
     ASSERT_EQ(shadows.on, 1U) << seed;
+    const Counts& counts = view.model.head->counts;  // what there is room for
+    EXPECT_LE(shadows.shadow_begin[kMaxLevels], counts.cascade) << seed;
+    EXPECT_LE(shadows.up_begin[kMaxLevels], counts.shadow_shares) << seed;
     Bounds bounds(view);
     EXPECT_LT(bounds.largest(0) / static_cast<double>(shadows.fastest_per_s2), 1.001) << seed;
     for (std::uint32_t level = 1; level < graded.levels; ++level) {
