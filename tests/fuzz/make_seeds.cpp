@@ -4,8 +4,7 @@
 #include <fstream>
 #include <memory>
 
-#include "organ_objects.h"  // before organ_generated.h, which it replaces
-#include "session.h"
+#include "graded.h"
 
 namespace stylet::test {
 namespace {
@@ -44,6 +43,25 @@ void write_sheets(const std::string& path) {
   flatbuffers::FlatBufferBuilder builder;
   format::FinishOrganBuffer(builder, format::Organ::Pack(builder, organ.get()));
   write(path, builder.GetBufferPointer(), builder.GetSize());
+}
+
+// What only a file of version 5 may have: two levels, in two sheets; and a membrane across both.
+void write_levels(const std::string& path) {
+  Graded graded;
+  graded.nx = 2;
+  graded.ny = graded.nz = 1;
+  graded.cut = 1;
+  graded.split = [](std::uint32_t, int x, int, int) { return x == 0; };
+  const std::unique_ptr<Owner> organ = graded_organ(graded);
+  organ->membranes = std::make_unique<format::MembranesT>();
+  organ->membranes->points = {{0, 0, 0.001F}, {0.01F, 0, 0.001F}, {0, 0.005F, 0.002F}};
+  organ->membranes->triangles = {{0, 1, 2}, {0, 1, 2}};
+  for (std::uint16_t x = 0; x < 2; ++x) {
+    organ->membranes->cells.emplace_back(x, 0, 0, 0, x, 1, 0.5F);
+  }
+  organ->membranes->cells.emplace_back(0, 0, 2, 0, 0, 0, 0.9F);
+  const std::vector<std::byte> bytes = bytes_of(*organ);
+  write(path, bytes.data(), bytes.size());
 }
 
 // Runs as organ_target.cpp draws them: rows with voxels far apart, a comb, planes far apart.
@@ -85,6 +103,7 @@ void write_organs(const std::string& folder) {
   tall.origin_m = {0.1F, -0.2F, 0.05F};
   write_organ(folder + "tall.organ", tall);
   write_sheets(folder + "sheets.organ");
+  write_levels(folder + "levels.organ");
   write_sparse(folder);
 }
 

@@ -347,8 +347,10 @@ TEST(Lattice, SubSamplesOfASharedCellGoToTheNearestSamples) {
     offline::add_claim(claims,
                        offline::voxelize(grid, offline::repair(plates), [](const char*, double) {}),
                        0, {0});
+    std::vector<Claims> levels = {claims};
     const offline::Lattice lattice =
-        offline::split_parts(claims, places, offline::make_lattice(claims, plates.points));
+        offline::split_parts(levels, places, {offline::make_lattice(levels[0], plates.points)})
+            .front();
     std::map<std::size_t, std::vector<offline::SharedCell>> cells;
     for (const offline::SharedCell& each : lattice.shared) cells[each.cell].push_back(each);
     for (const auto& [cell, parts] : cells) {

@@ -80,16 +80,8 @@ TEST(RefineTexts, WhatNeedsVoxelsOfOneSizeIsRefusedBeside) {
         what);
   };
   EXPECT_EQ(refusal_for(settings, tissues), "");
-  EXPECT_EQ(refusal_for(settings, tissues + "[membranes]\ndura = [1]\n"), with("membranes"));
   EXPECT_EQ(refusal_for(settings, tissues + "[[slide]]\ntissue = \"kidney\"\non = \"fat\"\n"),
             with("tissues that slide"));
-  const char* const gaps = "gaps that are kept open (--split-gaps, or gaps = \"open\")";
-  EXPECT_EQ(refusal_for(settings, tissues + "[contact]\ngaps = \"open\"\n"), with(gaps));
-  settings.split_gaps = true;
-  EXPECT_EQ(refusal_for(settings, tissues), with(gaps));
-  settings.split_gaps = false;
-  settings.membranes = {"x=3:dura"};
-  EXPECT_EQ(refusal_for(settings, tissues), with("membranes"));
 }
 
 TEST(RefineTexts, TissuesAndRecipesAreChecked) {

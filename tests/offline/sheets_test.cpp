@@ -10,10 +10,10 @@
 #include <bit>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 
 #include "base/refusal.h"
+#include "gap_bodies.h"
 #include "offline_support.h"
 #include "organ_places.h"
 #include "pipeline/label_organ.h"
@@ -43,70 +43,6 @@ Mesh turned(Mesh mesh, double angle) {
     p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z + 0.3 * p.x};
   }
   return mesh;
-}
-
-Mesh ball(double radius, int rings) {
-  Mesh mesh;
-  const double pi = std::numbers::pi;
-  mesh.points = {{0, 0, radius}, {0, 0, -radius}};
-  const auto at = [&](int ring, int i) {
-    return static_cast<std::uint32_t>(2 + (ring - 1) * 2 * rings + (i + 2 * rings) % (2 * rings));
-  };
-  for (int ring = 1; ring < rings; ++ring) {
-    for (int i = 0; i < 2 * rings; ++i) {
-      const double a = pi * ring / rings, b = pi * i / rings;
-      mesh.points.push_back({radius * std::sin(a) * std::cos(b), radius * std::sin(a) * std::sin(b),
-                             radius * std::cos(a)});
-      mesh.triangles.push_back({ring == 1 ? 0 : at(ring - 1, i), at(ring, i), at(ring, i + 1)});
-      if (ring > 1)
-        mesh.triangles.push_back({at(ring - 1, i), at(ring, i + 1), at(ring - 1, i + 1)});
-      if (ring + 1 == rings) mesh.triangles.push_back({1, at(ring, i + 1), at(ring, i)});
-    }
-  }
-  return mesh;
-}
-
-// Two lobes of 40 x 18 x 20, `gap` apart, on a base of 10 below both: one body.
-Mesh two_lobes(double gap) {
-  const std::vector<double> x = {0, 18, 18 + gap, 36 + gap}, z = {0, 10, 30};
-  Mesh mesh;
-  for (const double y : {0.0, 40.0}) {
-    for (const double height : z) {
-      for (const double across : x) mesh.points.push_back({across, y, height});
-    }
-  }
-  const auto at = [](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    return k * 12 + j * 4 + i;
-  };
-  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    mesh.triangles.push_back({a, b, c});
-    mesh.triangles.push_back({a, c, d});
-  };
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    for (std::uint32_t j = 0; j < 2; ++j) {
-      if (i == 1 && j == 1) continue;  // the gap
-      quad(at(i, j, 0), at(i + 1, j, 0), at(i + 1, j + 1, 0), at(i, j + 1, 0));
-      quad(at(i, j, 1), at(i, j + 1, 1), at(i + 1, j + 1, 1), at(i + 1, j, 1));
-    }
-    const std::uint32_t top = i == 1 ? 1 : 2;
-    quad(at(i, 0, 0), at(i, 0, 1), at(i + 1, 0, 1), at(i + 1, 0, 0));
-    quad(at(i, top, 0), at(i + 1, top, 0), at(i + 1, top, 1), at(i, top, 1));
-  }
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    for (std::uint32_t j = i == 0 || i == 3 ? 0 : 1; j < 2; ++j) {
-      if (i % 2 == 0) {
-        quad(at(i, j, 0), at(i, j + 1, 0), at(i, j + 1, 1), at(i, j, 1));
-      } else {
-        quad(at(i, j, 0), at(i, j, 1), at(i, j + 1, 1), at(i, j + 1, 0));
-      }
-    }
-  }
-  return mesh;
-}
-
-std::size_t pieces_of(const offline::Built& built) {
-  return offline::measure_quality(opened(built.bytes), {}, [](const char*, double) {})
-      .pieces.size();
 }
 
 TEST(Sheets, BodiesWithoutGapsAreBuiltAsWithoutThem) {
@@ -165,19 +101,6 @@ TEST(Sheets, BothPartsOfACellAndTheGapHaveTheirThickness) {
   EXPECT_LT(sum / (2 * kLines), 0.5e-3);
 }
 
-Mesh inside_out(Mesh mesh) {
-  for (offline::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-  return mesh;
-}
-
-double volume(const Mesh& mesh) {
-  double sum = 0;
-  for (const offline::Triangle& t : mesh.triangles) {
-    sum += dot(mesh.points[t[0]], cross(mesh.points[t[1]], mesh.points[t[2]])) / 6;
-  }
-  return sum;
-}
-
 // The gap runs in every direction, through cells with a little of either body, of both, or only of
 // their surfaces.
 TEST(Sheets, ABallInAHollowOneIsApartAllAround) {
@@ -193,6 +116,20 @@ TEST(Sheets, ABallInAHollowOneIsApartAllAround) {
     EXPECT_EQ(pieces_of(split), 2U);
     const double both_m3 = (volume(inner) + volume(outer)) * 1e-9;
     EXPECT_NEAR(volume_m3(opened(split.bytes)), both_m3, 0.005 * both_m3);
+  }
+}
+
+// So does a gap of one to three voxels, where cells with nothing but surface lie between.
+TEST(Sheets, AWideGapIsOpenAllAround) {
+  Draw draw(4);
+  for (int i = 0; i < 4; ++i) {
+    const double gap = draw.between(2, 5);
+    const Mesh inner = test::turned(ball(12, 24), random_frame(draw));
+    const Mesh outer = test::turned(both(ball(12 + gap + 5, 24), inside_out(ball(12 + gap, 24))),
+                                    random_frame(draw));
+    const auto split = build_quietly({input_of(inner, 1e-3), input_of(outer, 1e-3, "kidney")},
+                                     split_at(draw.between(1.6, 2), true));
+    EXPECT_EQ(pieces_of(split), 2U) << gap;
   }
 }
 
@@ -241,8 +178,8 @@ constexpr std::uint64_t kAll = ~std::uint64_t{0};
 offline::Lattice split_of(offline::Claims claims) {
   offline::SamplePlaces places;
   for (std::uint32_t i = 0; i < 64; ++i) places[i] = offline::sample_point(i);
-  const offline::Lattice whole = offline::make_lattice(claims, {});
-  return offline::split_parts(claims, places, whole);
+  std::vector<offline::Claims> levels = {std::move(claims)};
+  return offline::split_parts(levels, places, {offline::make_lattice(levels[0], {})}).front();
 }
 
 // Full cells are connected wherever they meet, even in an edge or a corner.

@@ -27,8 +27,9 @@ struct Graded {
   // than one level, the coarser one is split as well.
   std::function<bool(std::uint32_t level, int x, int y, int z)> split;
   std::uint32_t fixed_faces = 0;
-  // Cells from here on along x are in a second sheet, tied to the first; 0: one sheet.
+  // Cells from here on along x are in a second sheet, joined to the first or not; 0: one sheet.
   std::uint16_t cut = 0;
+  bool joined = true;
 };
 
 namespace graded_detail {
@@ -196,7 +197,8 @@ class Builder {
   }
 
   // The voxel on which a node hangs: the coarsest that it touches, or none.
-  bool find_coarser(std::uint32_t level, const std::uint32_t (&at)[3], Place& voxel_out) const {
+  bool find_coarser(std::uint32_t level, std::uint32_t sheet, const std::uint32_t (&at)[3],
+                    Place& voxel_out) const {
     for (std::uint32_t coarse = 0; coarse < level; ++coarse) {
       const int ratio = 1 << (level - coarse);
       for (std::uint32_t side = 0; side < 8; ++side) {
@@ -206,6 +208,8 @@ class Builder {
           cell[a] = n % ratio == 0 && ((side >> a) & 1U) != 0 ? n / ratio - 1 : n / ratio;
         }
         if (!has(coarse, cell[0], cell[1], cell[2])) continue;
+        const std::uint32_t other = sheet_of(coarse, static_cast<std::uint32_t>(cell[0]));
+        if (!graded_.joined && other != sheet) continue;
         voxel_out = place(coarse, static_cast<std::uint32_t>(cell[0]),
                           static_cast<std::uint32_t>(cell[1]), static_cast<std::uint32_t>(cell[2]));
         return true;
@@ -229,10 +233,10 @@ class Builder {
     for (const auto& [own, at] : nodes) {
       const auto& [level, x, y, z, sheet] = at;
       Place voxel = {};
-      if (find_coarser(level, {x, y, z}, voxel)) {
+      if (find_coarser(level, sheet, {x, y, z}, voxel)) {
         owner.levels->hanging.emplace_back(u16(own[2]), u16(own[1]), u16(own[0]), u16(voxel[2]),
                                            u16(voxel[1]), u16(voxel[0]));
-      } else if (sheet == 1 && nodes.count(node(0, level, x, y, z)) != 0) {
+      } else if (graded_.joined && sheet == 1 && nodes.count(node(0, level, x, y, z)) != 0) {
         owner.sheets->ties.emplace_back(u16(own[2]), u16(own[1]), u16(own[0]), u16(y));
       }
     }

@@ -94,7 +94,7 @@ class Bounds {
       std::size_t node[8];
       double mean = 0;
       for (std::uint32_t c = 0; c < 8; ++c) {
-        node[c] = node_of(row.node[c >> 1U] + slot - row.slot + (c & 1U));
+        node[c] = node_of(particle_of(model_, row.node[c >> 1U] + slot - row.slot + (c & 1U)));
         mean += x[node[c]] / 8;
       }
       const double bound = 8 * static_cast<double>(model_.slot_bound[slot]);
@@ -141,6 +141,33 @@ TEST(Cascade, EachLevelStaysWithinItsPartOfTheLimit) {
     const Config config;
     const float limit = wave_limit_per_s2(view.model.head->substep_s, config.tissue_damping_s);
     EXPECT_LT(all_per_s2, 1.0001F * limit) << seed;
+  }
+}
+
+// So it is where sheets, tied or apart, have shadows of their own.
+TEST(Cascade, EachLevelStaysWithinItsPartInSheets) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    Graded graded;
+    graded.levels = 2 + seed % 2;
+    graded.nx = graded.ny = 3;
+    graded.nz = 2;
+    graded.split = at_random(seed, 0.5);
+    graded.cut = static_cast<std::uint16_t>(1 + seed / 2 % 2);
+    graded.joined = seed <= 4;
+    Body body = make(graded, Config{});
+    const View view = view_of(body.session.kernel);
+    const Shadows& shadows = view.model.head->shadows;
+    ASSERT_EQ(shadows.on, 1U) << seed;
+    const Counts& counts = view.model.head->counts;  // what there is room for
+    EXPECT_LE(shadows.shadow_begin[kMaxLevels], counts.cascade) << seed;
+    EXPECT_LE(shadows.up_begin[kMaxLevels], counts.shadow_shares) << seed;
+    Bounds bounds(view);
+    EXPECT_LT(bounds.largest(0) / static_cast<double>(shadows.fastest_per_s2), 1.001) << seed;
+    for (std::uint32_t level = 1; level < graded.levels; ++level) {
+      const double part = bounds.largest(level) / static_cast<double>(shadows.limit_per_s2[level]);
+      EXPECT_LT(part, 1.001) << seed << " level " << level;
+      EXPECT_GT(part, 0.1) << seed << " level " << level;
+    }
   }
 }
 

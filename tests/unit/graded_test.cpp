@@ -58,6 +58,7 @@ TEST(Graded, PatchTest) {
     graded.levels = 2 + seed % 3;
     graded.nx = graded.levels == 4 ? 3 : 4;
     graded.split = at_random(seed, 0.4);
+    graded.cut = seed % 2 == 0 ? 2 : 0;  // tied sheets
     Config config;
     config.surround_drag_per_s = 0;
     Body body = make(graded, config);
@@ -348,6 +349,46 @@ TEST(Graded, TiedSheetsMoveAsTheWhole) {
   EXPECT_LT(worst, 1e-3 * largest);
 }
 
+// Where sheets are not joined, one body takes no notice of the other, also where both are fine: it
+// moves as it does alone.
+TEST(Graded, SheetsThatAreNotJoinedAreTwoBodies) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    std::map<std::tuple<long, long, long>, Vec3> alone;
+    double largest = 0, worst = 0, other = 0;
+    for (const bool both : {false, true}) {
+      Graded graded;
+      graded.nx = both ? 4 : 2;
+      graded.ny = graded.nz = 3;
+      graded.cut = both ? 2 : 0;
+      graded.joined = false;
+      graded.split = at_random(seed, 0.6);
+      Body body = make(graded, Config{});
+      View view = view_of(body.session.kernel);
+      EXPECT_EQ(view.model.head->shadows.on, 1U);
+      EXPECT_EQ(view.model.head->counts.ties, 0U);
+      const float cut_m = 2 * graded.voxel_edge_m;
+      push(view, [&](Vec3 at) {
+        return std::max(cut_m - at.x, 0.0F) * Vec3{2000 * at.z, 300 * at.y, -200 * at.x};
+      });
+      let_go(body.session, 40);
+      each_node(view, [&](Vec3 at, std::uint32_t p) {
+        const auto whole = [](float x) { return std::lround(x / 1e-5F); };
+        const Vec3 u = {view.state.ux[p], view.state.uy[p], view.state.uz[p]};
+        const double size = static_cast<double>(norm(u));
+        if (at.x > cut_m + 1e-5F) other = std::max(other, size);
+        if (at.x > cut_m - 1e-5F) return;  // at the cut both have nodes
+        Vec3& wanted = alone[{whole(at.x), whole(at.y), whole(at.z)}];
+        if (!both) wanted = u;
+        largest = std::max(largest, size);
+        worst = std::max(worst, static_cast<double>(norm(u - wanted)));
+      });
+    }
+    EXPECT_GT(largest, 1e-4) << seed;
+    EXPECT_LT(worst, 1e-5 * largest) << seed;
+    EXPECT_EQ(other, 0) << seed;
+  }
+}
+
 // What holds a place, and where it is now, in a body that has been stretched: the finest voxel.
 TEST(Graded, APlaceIsHeldByTheVoxelsAroundIt) {
   Graded graded;
@@ -480,14 +521,33 @@ TEST(Graded, RefusedWithTheirPlace) {
     o.sheets->ties.emplace_back(2, 5, 5, 0);
   };
   EXPECT_EQ(refusal_of(tie_one, 1), "sheets.ties[16]: a node that does not hang");
-  const auto with_others = "levels[0]: neither membranes nor slides where there are levels";
-  EXPECT_EQ(refusal_of([](Owner& o) {
-              o.membranes = std::make_unique<format::MembranesT>();
-              o.membranes->points.resize(3);
-              o.membranes->triangles.emplace_back(0, 1, 2);
-              o.membranes->cells.emplace_back(0, 0, 0, 0, 0, 1, 1.0F);
-            }),
-            with_others);
+}
+
+// Level 0 has 2 x 2 x 2 cells, level 1 twice as many each way, from plane 3 to 6.
+TEST(Graded, MembranesAreRefusedWithTheirPlace) {
+  using Cell = format::MembraneCell;
+  const auto refusal = [](Cell cell) {
+    return refusal_of([=](Owner& o) {
+      o.membranes = std::make_unique<format::MembranesT>();
+      o.membranes->points.resize(3);
+      o.membranes->triangles.emplace_back(0, 1, 2);
+      o.membranes->cells.push_back(cell);
+    });
+  };
+  EXPECT_EQ(refusal({1, 1, 1, 0, 0, 1, 1}), "");
+  EXPECT_EQ(refusal({3, 3, 6, 0, 0, 0, 1}), "");
+  const char* const no_cell = "membranes.cells[0]: a cell of the lattice";
+  EXPECT_EQ(refusal({2, 1, 1, 0, 0, 1, 1}), no_cell);
+  EXPECT_EQ(refusal({1, 2, 1, 0, 0, 1, 1}), no_cell);
+  EXPECT_EQ(refusal({1, 1, 2, 0, 0, 1, 1}), no_cell) << "the plane between levels";
+  EXPECT_EQ(refusal({4, 3, 6, 0, 0, 0, 1}), no_cell);
+  EXPECT_EQ(refusal({3, 4, 6, 0, 0, 0, 1}), no_cell);
+  EXPECT_EQ(refusal({3, 3, 7, 0, 0, 0, 1}), no_cell);
+  EXPECT_EQ(refusal({0, 0, 65535, 0, 0, 0, 1}), no_cell);
+  const char* const triangles =
+      "membranes.cells.first[0]: triangles of the list, at least 1; none at a finer level";
+  EXPECT_EQ(refusal({1, 1, 1, 0, 0, 0, 1}), triangles);
+  EXPECT_EQ(refusal({3, 3, 6, 0, 0, 1, 1}), triangles);
 }
 
 }  // namespace

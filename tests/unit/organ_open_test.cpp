@@ -249,9 +249,10 @@ std::vector<Case> membrane_cases() {
       {"material", cells(Cell(1, 1, 0, 1, 0, 1, 0)), index, "membranes.cells.material", 0, 1,
        "an index into materials"},
       {"no triangles", cells(Cell(1, 1, 0, 0, 0, 0, 0)), index, "membranes.cells.first", 0, 0,
-       "triangles of the list, at least 1"},
+       "triangles of the list, at least 1; none at a finer level"},
       {"triangles beyond the list", cells(Cell(1, 1, 0, 0, 0xFFFFFFFF, 1, 0)), index,
-       "membranes.cells.first", 0, 4294967295.0, "triangles of the list, at least 1"},
+       "membranes.cells.first", 0, 4294967295.0,
+       "triangles of the list, at least 1; none at a finer level"},
       {"too many triangles", with([](M& m) {
          m.triangles.assign(257, {0, 1, 2});
          m.cells = {Cell(1, 1, 0, 0, 0, 257, 0)};

@@ -50,9 +50,9 @@ struct OrganPart {
 struct OrganPoint {
   float x, y, z;
 };
-struct OrganMembraneCell {  // a membrane in a cell of space
+struct OrganMembraneCell {  // a membrane in a cell of space, of any level
   std::uint16_t x, y, z, material;
-  std::uint32_t first, count;  // of membrane_triangles
+  std::uint32_t first, count;  // of membrane_triangles; none at a finer level
   float area;                  // within the cell, in squares of the edge
 };
 

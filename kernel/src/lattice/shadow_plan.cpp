@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lattice/hanging.h"
+#include "lattice/shadow_sheets.h"
 #include "lattice/tiles.h"
 #include "lattice/voxel.h"
 
@@ -14,9 +15,8 @@ namespace {
 // mass where seven are not enough; with more the finer levels' short waves are slower still.
 constexpr float kCoarsePart = 0.8F;
 
-// A shadow is the same in all sheets.
 ShadowNode shadow_at(const Organ& organ, const LevelPlace& at) {
-  return as_in_file<ShadowNode>(organ, {at.level, 0, at.x, at.y, at.z});
+  return as_in_file<ShadowNode>(organ, {at.level, shadow_sheet(organ, at), at.x, at.y, at.z});
 }
 
 void fill_nodes(Plan& plan) {
@@ -25,10 +25,12 @@ void fill_nodes(Plan& plan) {
   std::uint32_t border = 0, shadows = 0;
   for (std::uint32_t level = 0; level + 1 < counts.levels; ++level) {
     for_each_shadow_corner(plan.organ, level, [&](const LevelPlace& at) {
-      if (!is_node(plan.organ, at)) {
+      LatticePlace node = {};
+      if (!find_level_node(plan.organ, at, node)) {
         plan.model.shadow[shadows++] = shadow_at(plan.organ, at);
       } else if (level == 0) {
-        plan.model.border[border++] = particle_of(plan.model, particle_at(plan, at));
+        plan.model.border[border++] =
+            particle_of(plan.model, node_at(plan.model, node.x, node.y, node.z));
       }
     });
   }
@@ -78,48 +80,29 @@ void fill_ranges(Plan& plan) {
   g.border_begin = counts.particles - g.first_particle;
 }
 
-// What a node gets from coarser ones, as shares from `next` on.
-void list_shares(const Plan& plan, const LevelPlace& at, HangingShare*& next) {
-  const Model& model = plan.model;
-  std::uint32_t child = 0;
-  if (is_node(plan.organ, at)) {
-    const std::uint32_t particle = particle_at(plan, at);
-    child = node_of_particle(plan, particle);
-    if (const HangingNode* const h = hanging_at(model, particle); h != nullptr) {
-      for (std::uint32_t m = 0; m < kMasters; ++m) {
-        if (h->weight[m] > 0) {
-          *next++ = {child, node_of_particle(plan, h->master[m]), h->weight[m], at.level};
-        }
-      }
-      return;
-    }
-    if (!is_free(model, particle)) return;
-  } else {
-    child = node_at_place(plan, at);
-    if (child < plan.shadows.border_end) return;  // a coarser node, which no shadow stands for
-  }
+// What a node of the cascade gets from the coarser ones around its place, as shares from `next` on.
+void list_parents(const Plan& plan, const LevelPlace& at, std::uint32_t child,
+                  HangingShare*& next) {
   for_each_parent(at, [&](const LevelPlace& parent, float weight) {
     *next++ = {child, node_at_place(plan, parent), weight, at.level};
   });
 }
 
-// Whether a place that is no node is a corner of a shadow cell of its sheet.
-bool is_shadow(const Organ& organ, const LevelPlace& at) {
-  if (is_node(organ, at)) return false;
-  for (std::uint32_t side = 0; side < 8; ++side) {
-    const std::uint32_t dx = side & 1U, dy = (side >> 1U) & 1U, dz = side >> 2U;
-    if (at.x < dx || at.y < dy || at.z < dz) continue;
-    if (is_shadow_cell(organ, {at.level, at.sheet, at.x - dx, at.y - dy, at.z - dz})) return true;
+// What a node of the lattice gets.
+void list_shares(const Plan& plan, const LevelPlace& at, HangingShare*& next) {
+  const Model& model = plan.model;
+  const LatticePlace place = place_in_lattice(plan.organ, at);
+  const std::uint32_t particle = node_at(model, place.x, place.y, place.z);
+  const std::uint32_t child = node_of_particle(plan, particle);
+  if (const HangingNode* const h = hanging_at(model, particle); h != nullptr) {
+    for (std::uint32_t m = 0; m < kMasters; ++m) {
+      if (h->weight[m] > 0) {
+        *next++ = {child, node_of_particle(plan, h->master[m]), h->weight[m], at.level};
+      }
+    }
+    return;
   }
-  return false;
-}
-
-// The place of a shadow, in the first sheet that has it.
-LevelPlace place_of(const Organ& organ, const ShadowNode& shadow) {
-  LevelPlace at = place_in_level(organ, {shadow.x, shadow.y, shadow.z});
-  const std::uint32_t sheets = organ.size_y / organ.sheet_rows;
-  for (std::uint32_t sheet = 0; sheet < sheets && !is_shadow(organ, at); ++sheet) at.sheet = sheet;
-  return at;
+  if (is_free(model, particle)) list_parents(plan, at, child, next);
 }
 
 // Brings shares into order, and finds where each level's begin.
@@ -139,12 +122,13 @@ void fill_shares_of_levels(Plan& plan) {
   Model& model = plan.model;
   HangingShare* const up = model.up_share;
   HangingShare* end = up;
-  const auto list = [&](const LevelPlace& at) { list_shares(plan, at, end); };
   for (std::uint32_t level = 1; level < plan.organ.levels; ++level) {
-    for_each_level_node(plan.organ, level, list);
+    for_each_level_node(plan.organ, level,
+                        [&](const LevelPlace& at) { list_shares(plan, at, end); });
     for (std::uint32_t i = plan.shadows.shadow_begin[level];
          i < plan.shadows.shadow_begin[level + 1]; ++i) {
-      list(place_of(plan.organ, model.shadow[i - plan.shadows.border_end]));
+      const ShadowNode& shadow = model.shadow[i - plan.shadows.border_end];
+      list_parents(plan, place_in_level(plan.organ, {shadow.x, shadow.y, shadow.z}), i, end);
     }
   }
   HangingShare* const down = model.down_share;
@@ -157,16 +141,6 @@ void fill_shares_of_levels(Plan& plan) {
 }
 
 }  // namespace
-
-bool is_node(const Organ& organ, const LevelPlace& at) {
-  const LatticePlace place = place_in_lattice(organ, at);
-  return has_node(organ, place.x, place.y, place.z);
-}
-
-std::uint32_t particle_at(const Plan& plan, const LevelPlace& at) {
-  const LatticePlace place = place_in_lattice(plan.organ, at);
-  return node_at(plan.model, place.x, place.y, place.z);
-}
 
 bool is_free(const Model& model, std::uint32_t node) {
   return particle_of(model, node) == node && !hangs(model, node) && model.step_per_mass[node] > 0;
@@ -188,18 +162,10 @@ std::uint32_t particle_of_node(const Plan& plan, std::uint32_t node) {
 }
 
 std::uint32_t node_at_place(const Plan& plan, const LevelPlace& at) {
-  if (is_node(plan.organ, at)) {
-    return node_of_particle(plan, particle_of(plan.model, particle_at(plan, at)));
-  }
-  // Another sheet or a coarser level may have a node here: then a finer node hangs on it.
-  for (std::uint32_t finer = 1; at.level + finer < plan.organ.levels; ++finer) {
-    const LevelPlace same = {at.level + finer, at.sheet, at.x << finer, at.y << finer,
-                             at.z << finer};
-    if (!is_node(plan.organ, same)) continue;
-    const HangingNode* const h = hanging_at(plan.model, particle_at(plan, same));
-    if (h == nullptr || h->weight[0] != 1) continue;
-    if (level_of_particle(plan.model, h->master[0]) > at.level) continue;
-    return node_of_particle(plan, h->master[0]);
+  LatticePlace node = {};
+  if (find_level_node(plan.organ, at, node)) {
+    return node_of_particle(plan,
+                            particle_of(plan.model, node_at(plan.model, node.x, node.y, node.z)));
   }
   const ShadowNode* const first = plan.model.shadow;
   const std::uint32_t count = plan.shadows.shadow_begin[kMaxLevels] - plan.shadows.border_end;
@@ -227,7 +193,8 @@ void count_shadows(const Organ& organ, std::uint64_t fine, Counts& counts_io) {
   for (std::uint32_t level = 0; level + 1 < c.levels; ++level) {
     for_each_shadow_cell(organ, level, [&](auto&) { ++c.shadow_cells; });
     for_each_shadow_corner(organ, level, [&](const LevelPlace& at) {
-      if (!is_node(organ, at)) {
+      LatticePlace node = {};
+      if (!find_level_node(organ, at, node)) {
         ++c.shadows;
       } else if (level == 0) {
         ++c.border;
@@ -242,7 +209,8 @@ void count_shadows(const Organ& organ, std::uint64_t fine, Counts& counts_io) {
     for_each_level_node(organ, level, share);
     if (level + 1 == c.levels) continue;
     for_each_shadow_corner(organ, level, [&](const LevelPlace& at) {
-      if (!is_node(organ, at)) share(at);
+      LatticePlace node = {};
+      if (!find_level_node(organ, at, node)) share(at);
     });
   }
   c.shadow_shares += c.hanging_shares;

@@ -34,10 +34,7 @@ Place as_in_file(const Organ& organ, const LevelPlace& at) {
   return out;
 }
 
-// Whether a place is a node of the lattice, and the particle there.
-bool is_node(const Organ& organ, const LevelPlace& at);
-std::uint32_t particle_at(const Plan& plan, const LevelPlace& at);
-// Whether it moves by itself: it is not attached, not hanging, not tied to another one.
+// Whether a particle moves by itself: it is not attached, not hanging, not tied to another one.
 bool is_free(const Model& model, std::uint32_t node);
 
 // A particle's node of the cascade. One of level 0 must be of the border. And the other way; a

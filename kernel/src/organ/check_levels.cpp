@@ -19,23 +19,18 @@ bool check_header(Checker& check, const Organ& organ) {
                            organ.size_z == first_plane(organ.level_planes, organ.levels) - 1,
                        Status::kOrganSizesDisagree, "levels.planes", 0, organ.level_planes,
                        "planes of level 0: size_z is count - 1 + planes (2^count - 1)") &&
-         check.require(organ.membrane_cells.empty() && organ.slide_points.empty(),
-                       Status::kOrganSizesDisagree, "levels", 0, organ.levels,
-                       "neither membranes nor slides where there are levels");
+         check.require(organ.slide_points.empty(), Status::kOrganSizesDisagree, "levels", 0,
+                       organ.levels, "no slides where there are levels");
 }
 
 // Each level's runs are within its own planes and within the space of all.
 bool check_planes(Checker& check, const Organ& organ) {
   for (std::size_t i = 0; i < organ.runs.size(); ++i) {
     const OrganRun& run = organ.runs[i];
-    const std::uint32_t level = level_of(organ.level_planes, run.z);
-    const std::uint32_t finer = organ.levels - 1U - level;
-    const std::uint32_t end_x = (std::uint32_t{run.x} + run.count) << finer;
-    const std::uint32_t end_y = (run.y % organ.sheet_rows + 1U) << finer;
-    if (!check.require(run.z + 1U < first_plane(organ.level_planes, level + 1),
-                       Status::kOrganIndexOutOfRange, "runs", i, run.z,
-                       "the plane between two levels empty") ||
-        !check.require(end_x <= organ.size_x && end_y <= organ.sheet_rows,
+    const std::uint32_t end_x = std::uint32_t{run.x} + run.count;
+    if (!check.require(!is_between_levels(organ, run.z), Status::kOrganIndexOutOfRange, "runs", i,
+                       run.z, "the plane between two levels empty") ||
+        !check.require(is_in_space(organ, end_x, run.y % organ.sheet_rows + 1U, run.z),
                        Status::kOrganIndexOutOfRange, "runs", i, end_x,
                        "a run inside the space of the finest level")) {
       return false;
@@ -110,6 +105,15 @@ bool check_hanging(Checker& check, const Organ& organ) {
 }
 
 }  // namespace
+
+bool is_between_levels(const Organ& organ, std::uint32_t z) {
+  return z + 1 >= first_plane(organ.level_planes, level_of(organ.level_planes, z) + 1);
+}
+
+bool is_in_space(const Organ& organ, std::uint32_t end_x, std::uint32_t end_y, std::uint32_t z) {
+  const std::uint32_t finer = organ.levels - 1U - level_of(organ.level_planes, z);
+  return end_x << finer <= organ.size_x && end_y << finer <= organ.sheet_rows;
+}
 
 bool check_levels(Checker& check, const Organ& organ) {
   return check_header(check, organ) && check_planes(check, organ) && check_hanging(check, organ);

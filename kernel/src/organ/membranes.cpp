@@ -105,7 +105,7 @@ MembraneCrossing first_membrane(const Organ& organ, std::span<const MembraneOpen
     const Vec3& o = organ.origin_m;
     const Cells x = cells_of(a.x, b.x, o.x, edge_m, organ.size_x);
     const Cells y = cells_of(a.y, b.y, o.y, edge_m, organ.sheet_rows);
-    const Cells z = cells_of(a.z, b.z, o.z, edge_m, organ.size_z);
+    const Cells z = cells_of(a.z, b.z, o.z, edge_m, organ.level_planes);
     // A triangle of these cells may also cross the way farther on, behind others.
     const float end = from + (1 + kNearEdges) * edge_m;
     Crossing found = {min_of(end, searched_m), kNoTissue, {}};

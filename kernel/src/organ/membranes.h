@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a straight path in the rest frame first meets a membrane without a hole at that place.
 //
-// Promises: no allocation; at most kMaxMembraneSteps edges of the way, 27 cells of space for each,
-// kMaxTrianglesPerCell triangles in a cell, kMaxOpenings holes for each. Units: m. PHYSICS 9.7.
+// Promises: no allocation; at most kMaxMembraneSteps edges of the way, 27 cells of space (those of
+// level 0) for each, kMaxTrianglesPerCell triangles in a cell, kMaxOpenings holes for each. Units:
+// m. PHYSICS 9.7.
 #pragma once
 
 #include <span>

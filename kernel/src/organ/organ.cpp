@@ -13,6 +13,7 @@
 #include "organ/checker.h"
 #include "organ/runs.h"
 #include "organ_generated.h"
+#include "stylet/levels.h"
 #include "stylet/limits.h"
 
 namespace stylet {
@@ -301,6 +302,17 @@ bool check_membrane_lists(Checker& check, const Organ& organ) {
   return true;
 }
 
+bool is_cell(const Organ& organ, const OrganMembraneCell& c) {
+  return c.z < organ.size_z && !is_between_levels(organ, c.z) &&
+         is_in_space(organ, c.x + 1U, c.y + 1U, c.z);
+}
+
+// A membrane is looked for in the cells of level 0; finer ones have only its area.
+bool has_its_triangles(const Organ& organ, const OrganMembraneCell& c) {
+  if (level_of(organ.level_planes, c.z) > 0) return c.count == 0;
+  return c.count > 0 && std::uint64_t{c.first} + c.count <= organ.membrane_triangles.size();
+}
+
 // Cells are in space, sorted, one for each membrane in them, with few enough triangles for a tick.
 bool check_membrane_cells(Checker& check, const Organ& organ) {
   std::uint64_t last_place = 0, triangles = 0;
@@ -309,8 +321,7 @@ bool check_membrane_cells(Checker& check, const Organ& organ) {
     const std::uint64_t place = order_of(c);
     const bool same = i > 0 && place == last_place;
     triangles = (same ? triangles : 0) + c.count;
-    if (!check.require(c.x < organ.size_x && c.y < organ.sheet_rows && c.z < organ.size_z,
-                       Status::kOrganIndexOutOfRange, "membranes.cells", i, c.x,
+    if (!check.require(is_cell(organ, c), Status::kOrganIndexOutOfRange, "membranes.cells", i, c.x,
                        "a cell of the lattice") ||
         !check.require(i == 0 || place > last_place ||
                            (same && c.material > organ.membrane_cells[i - 1].material),
@@ -318,10 +329,9 @@ bool check_membrane_cells(Checker& check, const Organ& organ) {
                        "cells sorted by z, y, x, material") ||
         !check.require(c.material < organ.material_count, Status::kOrganIndexOutOfRange,
                        "membranes.cells.material", i, c.material, "an index into materials") ||
-        !check.require(
-            c.count > 0 && std::uint64_t{c.first} + c.count <= organ.membrane_triangles.size(),
-            Status::kOrganIndexOutOfRange, "membranes.cells.first", i, c.first,
-            "triangles of the list, at least 1") ||
+        !check.require(has_its_triangles(organ, c), Status::kOrganIndexOutOfRange,
+                       "membranes.cells.first", i, c.first,
+                       "triangles of the list, at least 1; none at a finer level") ||
         !check.require(triangles <= kMaxTrianglesPerCell, Status::kOrganValueOutOfRange,
                        "membranes.cells.count", i, static_cast<double>(triangles),
                        "at most 256 triangles in a cell") ||
@@ -441,12 +451,12 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
                         "format_version", 0, version, "version 1 to 5")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
-               check_sheets(check, organ, version) && check_materials(check, organ) &&
-               check_voxels(check, organ) && check_mixed(check, organ, version) &&
-               check_surface(check, organ) && check_spheres(check, organ) &&
-               check_membranes(check, organ, version) &&
-               (root.slides() == nullptr || check_slides(check, organ)) &&
-               (root.levels() == nullptr || check_levels(check, organ)));
+               check_sheets(check, organ, version) &&
+               (root.levels() == nullptr || check_levels(check, organ)) &&
+               check_materials(check, organ) && check_voxels(check, organ) &&
+               check_mixed(check, organ, version) && check_surface(check, organ) &&
+               check_spheres(check, organ) && check_membranes(check, organ, version) &&
+               (root.slides() == nullptr || check_slides(check, organ)));
       }
     }
   }

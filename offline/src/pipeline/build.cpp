@@ -401,13 +401,13 @@ std::vector<Lattice> lattices_of(Claimed& claimed, const BuildOptions& options,
   }
   if (!options.split && options.slides.empty()) return lattices;
   progress("splitting at gaps", 0);
-  return {split_parts(claimed.levels.front(), claimed.places, std::move(lattices.front()),
-                      {options.split, apart_owners(options.slides, claimed.tissues)})};
+  return split_parts(claimed.levels, claimed.places, std::move(lattices), claimed.cut,
+                     {options.split, apart_owners(options.slides, claimed.tissues)});
 }
 
 // Moves the lattice into the parts of the organ file.
 void take_lattices(std::vector<Lattice> lattices, OrganParts& parts) {
-  Lattice& coarsest = lattices.front();
+  const Lattice& coarsest = lattices.front();
   const LatticeSize size = lattice_size(lattices);
   parts.origin_m = coarsest.grid.origin_m;
   parts.edge_m = coarsest.grid.edge_m;
@@ -419,8 +419,8 @@ void take_lattices(std::vector<Lattice> lattices, OrganParts& parts) {
   parts.level_planes = coarsest.grid.size[2];
   parts.hanging = hanging_nodes(lattices);
   parts.runs = runs_of(lattices);
-  parts.ties = std::move(coarsest.ties);
-  parts.cell_parts = std::move(coarsest.parts);
+  parts.ties = ties_of(lattices);
+  parts.cell_parts = parts_of(lattices);
   for (const Lattice& each : lattices) {
     parts.voxel_fill.insert(parts.voxel_fill.end(), each.fill.begin(), each.fill.end());
   }
@@ -480,7 +480,7 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
     add_tissues(claimed.levels[level], lattices[level], claimed, options, materials, parts, held);
   }
   warn_of_losses(held, lattices, given, materials.tissues, warnings);
-  parts.membranes = place_membranes(options.membranes, lattices.front(), materials, warnings);
+  parts.membranes = place_membranes(options.membranes, lattices, materials, warnings);
   SlideLists slides = place_slides(options.slides, claimed, lattices.front(), warnings);
   parts.slide_points = std::move(slides.points);
   parts.slide_grounds = std::move(slides.grounds);

@@ -14,6 +14,7 @@
 #include "meshes/distance.h"
 #include "meshes/read_mesh.h"
 #include "meshes/simplify.h"
+#include "stylet/levels.h"
 #include "stylet/limits.h"
 
 namespace stylet::offline {
@@ -50,8 +51,7 @@ Mesh plane_through(std::size_t axis, double at_m, const CellGrid& grid) {
   return mesh;
 }
 
-CellGrid cells_of(const Lattice& lattice) {
-  const Grid& grid = lattice.grid;
+CellGrid cells_of(const Grid& grid) {
   return {grid.origin_m, grid.edge_m, {grid.size[0], grid.size[1], grid.size[2]}};
 }
 
@@ -140,16 +140,28 @@ void warn_of_unlikely(const Membrane& membrane, const Mesh& mesh, const Tissue& 
       membrane.tissue, tissue.puncture_force_n, tissue.cutting_force_n));
 }
 
-// Only the part that lies in tissue is met.
-void warn_of_outside(const Membrane& membrane, const Mesh& mesh, const MembraneLists& lists,
-                     const Lattice& lattice, std::vector<std::string>& warnings) {
-  const Grid& grid = lattice.grid;
-  double inside_m2 = 0;
-  for (const OrganMembraneCell& c : lists.cells) {
-    const std::size_t cell = (std::size_t{c.z} * grid.size[1] + c.y) * grid.size[0] + c.x;
-    if (lattice.voxel_of_cell[cell] == kNoVoxel) continue;
-    inside_m2 += static_cast<double>(c.area) * grid.edge_m * grid.edge_m;
+// Calls visit(cell) for the cells of a level that have a voxel and some of the surfaces' area.
+template <typename Visit>
+void each_in_tissue(const std::vector<MembraneSurface>& surfaces, const Lattice& level,
+                    Visit visit) {
+  const Grid& grid = level.grid;
+  for (const OrganMembraneCell& c : list_membranes(surfaces, cells_of(grid)).cells) {
+    const bool is_voxel = level.voxel_of_cell[cell_index(grid, c.x, c.y, c.z)] != kNoVoxel;
+    if (is_voxel && c.area > 0) visit(c);
   }
+}
+
+// Only the part that lies in tissue is met.
+void warn_of_outside(const Membrane& membrane, const MembraneSurface& surface,
+                     std::span<const Lattice> levels, std::vector<std::string>& warnings) {
+  double inside_m2 = 0;
+  for (const Lattice& level : levels) {
+    const double edge_m = level.grid.edge_m;
+    each_in_tissue({surface}, level, [&](const OrganMembraneCell& c) {
+      inside_m2 += static_cast<double>(c.area) * edge_m * edge_m;
+    });
+  }
+  const Mesh& mesh = surface.mesh_m;
   const double part = inside_m2 / area_m2(mesh);
   if (!(part > 0)) {
     refuse(
@@ -162,6 +174,19 @@ void warn_of_outside(const Membrane& membrane, const Mesh& mesh, const MembraneL
       "membrane {} ({}): {:.0f} % of its {:.3g} cm2 lie outside all tissue, where no needle meets "
       "them",
       membrane.tissue, membrane.from, 100 * (1 - part), area_m2(mesh) * 1e4));
+}
+
+// What finer voxels carry. The tip looks for membranes in the coarsest cells.
+void add_finer_areas(const std::vector<MembraneSurface>& surfaces, std::span<const Lattice> levels,
+                     MembraneLists& lists) {
+  for (std::uint32_t i = 1; i < levels.size(); ++i) {
+    const std::uint32_t first = first_plane(levels.front().grid.size[2], i);
+    each_in_tissue(surfaces, levels[i], [&](OrganMembraneCell cell) {
+      cell.z = static_cast<std::uint16_t>(first + cell.z);
+      cell.first = cell.count = 0;
+      lists.cells.push_back(cell);
+    });
+  }
 }
 
 }  // namespace
@@ -216,9 +241,10 @@ std::vector<SourceRecord> membrane_records(const std::vector<Membrane>& membrane
   return records;
 }
 
-MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Lattice& lattice,
-                              MaterialList& materials, std::vector<std::string>& warnings) {
-  const CellGrid grid = cells_of(lattice);
+MembraneLists place_membranes(const std::vector<Membrane>& membranes,
+                              std::span<const Lattice> levels, MaterialList& materials,
+                              std::vector<std::string>& warnings) {
+  const CellGrid grid = cells_of(levels.front().grid);
   std::vector<MembraneSurface> surfaces;
   for (const Membrane& membrane : membranes) {
     const Tissue& tissue = find_tissue(materials.own, membrane.tissue);
@@ -227,8 +253,8 @@ MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Latt
                                   : without_repeats(membrane.mesh_m);
     warn_of_unlikely(membrane, mesh, tissue, warnings);
     mesh = simple_enough(membrane, std::move(mesh), material, grid, warnings);
-    warn_of_outside(membrane, mesh, list_membranes({{mesh, material}}, grid), lattice, warnings);
     surfaces.push_back({std::move(mesh), material});
+    warn_of_outside(membrane, surfaces.back(), levels, warnings);
   }
   MembraneLists lists = list_membranes(surfaces, grid);
   const std::size_t most = most_in_a_cell(lists);
@@ -238,6 +264,7 @@ MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Latt
         "or smoother surfaces",
         most, grid.edge_m * 1e3, kMaxTrianglesPerCell);
   }
+  add_finer_areas(surfaces, levels, lists);
   return lists;
 }
 

@@ -5,6 +5,7 @@
 // it was asked for is warned of. Units: metres.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,10 @@ std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
 // For the organ's provenance.
 std::vector<SourceRecord> membrane_records(const std::vector<Membrane>& membranes);
 
-// Cuts the membranes by the lattice's cells. A surface that is too fine for a tick is simplified.
-MembraneLists place_membranes(const std::vector<Membrane>& membranes, const Lattice& lattice,
-                              MaterialList& materials, std::vector<std::string>& warnings);
+// Cuts the membranes by the cells of each level. A surface that is too fine for a tick is
+// simplified.
+MembraneLists place_membranes(const std::vector<Membrane>& membranes,
+                              std::span<const Lattice> levels, MaterialList& materials,
+                              std::vector<std::string>& warnings);
 
 }  // namespace stylet::offline

@@ -156,17 +156,12 @@ bool split_for(const Refinement& r, const Claimed& claimed, const BuildOptions& 
 
 }  // namespace
 
-void check_refinements(const BuildOptions& options, const std::vector<std::string>& tissues,
-                       bool has_membranes) {
+void check_refinements(const BuildOptions& options, const std::vector<std::string>& tissues) {
   if (options.refinements.empty()) return;
-  const auto refuse_beside = [&](bool is_there, const char* what) {
-    if (!is_there) return;
-    refuse("{}: beside {}, which need voxels of one size: expected one of both",
-           options.refinements.front().from, what);
-  };
-  refuse_beside(has_membranes, "membranes");
-  refuse_beside(!options.slides.empty(), "tissues that slide");
-  refuse_beside(options.split, "gaps that are kept open (--split-gaps, or gaps = \"open\")");
+  if (!options.slides.empty()) {
+    refuse("{}: beside tissues that slide, which need voxels of one size: expected one of both",
+           options.refinements.front().from);
+  }
   std::set<std::string> known(tissues.begin(), tissues.end());
   for (const Layer& layer : options.layers) known.insert(layer.tissue);
   if (!options.gap_tissue.empty()) known.insert(options.gap_tissue);

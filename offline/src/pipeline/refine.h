@@ -15,8 +15,7 @@ namespace stylet::offline {
 
 // Refuses refinements of tissues that the organ does not have, and beside what needs voxels of one
 // size. `tissues` are those of the inputs.
-void check_refinements(const BuildOptions& options, const std::vector<std::string>& tissues,
-                       bool has_membranes);
+void check_refinements(const BuildOptions& options, const std::vector<std::string>& tissues);
 
 // The cells of each level that are no voxel's place. `claimed` is as the lattice will be made of
 // it.

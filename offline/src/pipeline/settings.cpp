@@ -76,9 +76,8 @@ std::string units_text(const Settings& s, const std::vector<Input>& inputs) {
 }
 
 // `tissues` are those of the inputs.
-void settle_refinements(const std::vector<std::string>& tissues, bool has_membranes,
-                        BuildOptions& options) {
-  check_refinements(options, tissues, has_membranes);
+void settle_refinements(const std::vector<std::string>& tissues, BuildOptions& options) {
+  check_refinements(options, tissues);
   for (const Refinement& each : options.refinements) {
     options.options_text += " --refine " + text_of(each);
   }
@@ -196,7 +195,7 @@ void choose_for_labels(const Settings& s, const LabelSource& source, const Recip
   std::ranges::copy(recipe.refinements, std::back_inserter(options.refinements));
   for (const WallLayer& layer : recipe.wall) tissues.push_back(layer.tissue);
   check_slides(options, tissues);
-  settle_refinements(tissues, !options.membranes.empty() || !recipe.membranes.empty(), options);
+  settle_refinements(tissues, options);
 }
 
 void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, BuildOptions& options) {
@@ -211,7 +210,7 @@ void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, Buil
   choose_layers(s, tissues, options);
   choose_capsule(s, tissues, options);
   check_slides(options, tissues);
-  settle_refinements(tissues, !options.membranes.empty(), options);
+  settle_refinements(tissues, options);
 }
 
 }  // namespace stylet::offline

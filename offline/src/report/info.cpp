@@ -125,14 +125,14 @@ Json byte_facts(const Organ& organ, std::size_t total) {
   return facts;
 }
 
-// Each membrane's tissue, the cells of space that it passes through, and its area in them.
+// Each membrane's tissue, the cells of level 0 that it passes through, and its area in them.
 Json membrane_facts(const Organ& organ) {
   Json list = Json::array();
   for (std::uint32_t i = 0; i < organ.material_count; ++i) {
     double squares = 0;
     std::size_t cells = 0;
     for (const OrganMembraneCell& cell : organ.membrane_cells) {
-      if (cell.material != i) continue;
+      if (cell.material != i || cell.count == 0) continue;  // of finer levels: area alone
       ++cells;
       squares += static_cast<double>(cell.area);
     }

@@ -106,7 +106,7 @@ void CellParts::find_parts() {
 std::vector<CellPart> CellParts::settled(std::size_t voxel) {
   std::vector<CellPart> own(parts.begin() + first[voxel], parts.begin() + first[voxel + 1]);
   if (own.size() == 1) return own;
-  const Block block = block_around(own[0].cell);
+  const Block block = block_around({own[0].cell});
   std::vector<std::uint32_t> order(own.size());
   std::iota(order.begin(), order.end(), first[voxel]);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -238,7 +238,7 @@ std::vector<CellPart> CellParts::empty_parts(const CellPart& empty) const {
 // Which of the parts around a cell without samples are connected, as numbers of sets.
 std::vector<std::uint32_t> CellParts::sets_around(std::uint32_t cell,
                                                   const std::vector<std::uint32_t>& around) const {
-  const Block block = block_around(cell);
+  const Block block = block_around({cell});
   std::vector<std::uint32_t> parent = each_by_itself(around.size());
   for (std::uint32_t i = 0; i < around.size(); ++i) {
     for (std::uint32_t j = 0; j < i; ++j) {
@@ -268,13 +268,17 @@ bool CellParts::touch(const CellPart& a, const CellPart& b) const {
   });
 }
 
-CellParts::Block CellParts::block_around(std::uint32_t cell) const {
+CellParts::Block CellParts::block_around(const std::vector<std::uint32_t>& cells) const {
   Block block;
-  for (int n = 0; n < 27; ++n) {
-    each_part(place_of(cell), step_of(n), [&](std::uint32_t i) {
-      if (parts[i].inside != 0) block.part.push_back(i);
-    });
+  for (const std::uint32_t cell : cells) {
+    for (int n = 0; n < 27; ++n) {
+      each_part(place_of(cell), step_of(n), [&](std::uint32_t i) {
+        if (parts[i].inside != 0) block.part.push_back(i);
+      });
+    }
   }
+  std::sort(block.part.begin(), block.part.end());
+  block.part.erase(std::unique(block.part.begin(), block.part.end()), block.part.end());
   block.set = each_by_itself(block.part.size());
   for (std::uint32_t i = 0; i < block.part.size(); ++i) {
     for (std::uint32_t j = 0; j < i; ++j) {
@@ -303,9 +307,8 @@ bool CellParts::linked(std::uint32_t i, std::uint32_t j) const {
   if (!gaps_part_) return samples == 0;
   const std::uint32_t k = a.inside != 0 ? i : a.host, l = b.inside != 0 ? j : b.host;
   if (k == kNoPart || l == kNoPart || k == l) return true;
-  const Block block = block_around(a.inside == 0 || b.inside != 0 ? a.cell : b.cell);
-  const std::uint32_t one = set_of(block, k), other = set_of(block, l);
-  return one == other || other == kNoPart;  // only the other cell's host can be out of the block
+  const Block block = block_around({a.cell, b.cell});
+  return set_of(block, k) == set_of(block, l);
 }
 
 }  // namespace stylet::offline

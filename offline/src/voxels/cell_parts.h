@@ -40,6 +40,8 @@ struct CellPart {
   std::uint32_t sides = 1;   // what it consists of (voxels/apart.h); without samples: its host
   std::uint64_t quarters = kFullCell;
   std::array<std::uint8_t, 8> group{};  // per corner: parts of the same group share the particle
+  bool is_voxel = true;                 // else another level has the voxel of this place
+  bool is_beside = true;                // it is a voxel, or touches the cell of one
 };
 
 // What connects samples: the reach of each, if gaps part them, else the cells; but nothing connects
@@ -76,7 +78,7 @@ class CellParts {
   }
 
   // Whether parts of neighbouring cells are connected; with few samples, also through cells around.
-  // Parts without samples follow their hosts; if these are missing or too far apart: connected.
+  // Parts without samples follow their hosts; if these are missing: connected.
   bool linked(std::uint32_t i, std::uint32_t j) const;
 
   // Samples in cells of another side that touch nothing of their own: no part has them. A voxel of
@@ -88,7 +90,7 @@ class CellParts {
   std::vector<Stray> strays;
 
  private:
-  // The parts with samples in a cell and its 26 neighbours, and which are connected there.
+  // The parts with samples in cells and their 26 neighbours, and which are connected there.
   struct Block {
     std::vector<std::uint32_t> part, set;
   };
@@ -108,7 +110,7 @@ class CellParts {
                                          const std::vector<std::uint32_t>& around) const;
   bool apart(const CellPart& a, const CellPart& b) const;
   bool touch(const CellPart& a, const CellPart& b) const;
-  Block block_around(std::uint32_t cell) const;
+  Block block_around(const std::vector<std::uint32_t>& cells) const;
   static std::uint32_t set_of(const Block& block, std::uint32_t part);
 
   const Claims& claims_;

@@ -50,19 +50,38 @@ LatticeSize lattice_size(std::span<const Lattice> levels) {
   const Lattice& coarsest = levels.front();
   if (count == 1) return {coarsest.grid.size[0], coarsest.sheet_rows, coarsest.grid.size[2]};
   const auto& finest = levels.back().grid.size;
-  return {finest[0], finest[1], first_plane(coarsest.grid.size[2], count) - 1};
+  return {finest[0], std::max(coarsest.sheet_rows, finest[1]),
+          first_plane(coarsest.grid.size[2], count) - 1};
 }
 
-std::vector<OrganRun> runs_of(std::span<const Lattice> levels) {
-  std::vector<OrganRun> runs;
+namespace {
+
+// A list of each level one behind the other, as the levels lie in the lattice.
+template <typename Place>
+std::vector<Place> of_all(std::span<const Lattice> levels, std::vector<Place> Lattice::*list) {
+  std::vector<Place> all;
   for (std::uint32_t level = 0; level < levels.size(); ++level) {
     const std::uint32_t first = first_plane(levels.front().grid.size[2], level);
-    for (OrganRun run : levels[level].runs) {
-      run.z = static_cast<std::uint16_t>(first + run.z);
-      runs.push_back(run);
+    for (Place each : levels[level].*list) {
+      each.z = static_cast<std::uint16_t>(first + each.z);
+      all.push_back(each);
     }
   }
-  return runs;
+  return all;
+}
+
+}  // namespace
+
+std::vector<OrganRun> runs_of(std::span<const Lattice> levels) {
+  return of_all(levels, &Lattice::runs);
+}
+
+std::vector<OrganTie> ties_of(std::span<const Lattice> levels) {
+  return of_all(levels, &Lattice::ties);
+}
+
+std::vector<OrganPart> parts_of(std::span<const Lattice> levels) {
+  return of_all(levels, &Lattice::parts);
 }
 
 namespace {
@@ -84,9 +103,17 @@ std::vector<OrganHanging> hanging_nodes(std::span<const Lattice> levels) {
   std::vector<OrganHanging> hanging;
   const auto u16 = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
   for (std::uint32_t level = 1; level < levels.size(); ++level) {
+    const std::uint32_t planes = levels.front().grid.size[2], first = first_plane(planes, level);
+    if (levels[level].hanging) {
+      for (OrganHanging each : *levels[level].hanging) {
+        each.z = u16(first + each.z);
+        each.voxel_z = u16(first_plane(planes, level - 1) + each.voxel_z);
+        hanging.push_back(each);
+      }
+      continue;
+    }
     const std::vector<bool> nodes = nodes_of(levels[level]);
     const auto& size = levels[level].grid.size;
-    const std::uint32_t first = first_plane(levels.front().grid.size[2], level);
     std::size_t i = 0;
     for (std::uint32_t z = 0; z <= size[2]; ++z) {
       for (std::uint32_t y = 0; y <= size[1]; ++y) {

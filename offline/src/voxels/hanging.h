@@ -18,8 +18,10 @@ struct LatticeSize {
 };
 LatticeSize lattice_size(std::span<const Lattice> levels);
 std::vector<OrganRun> runs_of(std::span<const Lattice> levels);
+std::vector<OrganTie> ties_of(std::span<const Lattice> levels);
+std::vector<OrganPart> parts_of(std::span<const Lattice> levels);
 
-// Sorted by z, y, x. Several levels have one sheet each.
+// Sorted by z, y, x. Where parts were split, their lattices say what hangs.
 std::vector<OrganHanging> hanging_nodes(std::span<const Lattice> levels);
 
 }  // namespace stylet::offline

@@ -360,10 +360,10 @@ std::optional<LevelSeat> level_seat(std::span<const Lattice> levels, Vec point_m
 Surface embed(std::span<const Lattice> levels, const std::vector<Vec>& points_m,
               const std::vector<Triangle>& triangles) {
   Surface surface;
-  const Lattice& coarsest = levels.front();
-  const std::vector<Vec> below = coarsest.shared.empty() && coarsest.sides.empty()
-                                     ? std::vector<Vec>(points_m.size())
-                                     : inward(points_m, triangles);
+  const bool one_each = std::ranges::all_of(
+      levels, [](const Lattice& each) { return each.shared.empty() && each.sides.empty(); });
+  const std::vector<Vec> below =
+      one_each ? std::vector<Vec>(points_m.size()) : inward(points_m, triangles);
   for (std::size_t i = 0; i < points_m.size(); ++i) {
     const auto [level, seat, before] = level_seat(levels, points_m[i], below[i]).value();
     const Grid& grid = level->grid;

@@ -2,51 +2,94 @@
 #include "voxels/sheets.h"
 
 #include <bit>
+#include <deque>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
 
-#include "base/disjoint_set.h"
 #include "base/refusal.h"
+#include "stylet/levels.h"
 #include "stylet/limits.h"
-#include "voxels/cell_parts.h"
+#include "voxels/hanging.h"
+#include "voxels/levels.h"
+#include "voxels/part_hanging.h"
+#include "voxels/piece_sheets.h"
 
 namespace stylet::offline {
 namespace {
 
-class Splitter {
+bool comes_before(const GroupHangs& a, const GroupHangs& b) {
+  return std::tie(a.node.z, a.node.y, a.node.x, a.group) <
+         std::tie(b.node.z, b.node.y, b.node.x, b.group);
+}
+
+// One level. `around` has its voxels and cells beyond them; without it, the voxels are all there
+// is.
+class LevelSplitter {
  public:
-  Splitter(Claims& claims, const SamplePlaces& places, Lattice lattice,
-           const Connections& connections)
-      : asked_by_(connections.gaps_part ? "--split-gaps" : "--slide"),
-        any_apart_(connections.apart.any()),
+  LevelSplitter(Claims& claims, const SamplePlaces& places, Lattice lattice,
+                std::optional<Lattice> around, const Connections& connections)
+      : any_apart_(connections.apart.any()),
         sheet_of_side_(sheets_of_sides(connections.apart)),
         lattice_(std::move(lattice)),
-        cells_(claims, places, lattice_, connections) {
+        around_(std::move(around)),
+        groups_(claims, places, around_ ? *around_ : lattice_, connections),
+        cells_(groups_.cells) {
+    for (CellPart& part : cells_.parts) {
+      part.is_voxel = lattice_.voxel_of_cell[part.cell] != kNoVoxel;
+    }
+    for (CellPart& part : cells_.parts) part.is_beside = part.is_voxel || is_beside_voxel(part);
     remove_strays(claims);
   }
+  LevelSplitter(const LevelSplitter&) = delete;
 
-  Lattice split() {
-    if (!find_crowded()) {
-      for (const CellPart& part : cells_.parts) name_side(part);  // each voxel has one
-      return std::move(lattice_);
-    }
-    find_groups();
+  NodeGroups& groups() { return groups_; }
+  std::uint32_t sheets() const { return sheets_; }
+
+  // Where every cell has one part.
+  Lattice unsplit() {
+    for (const CellPart& part : cells_.parts) name_side(part);
+    return std::move(lattice_);
+  }
+
+  // The groups of nodes are known, and what they hang on.
+  void choose_voxels(std::vector<GroupHangs> hangs) {
+    hangs_ = std::move(hangs);
     merge_parts();
     choose_sheets();
+  }
+
+  // Sheets and their rows are those of all levels.
+  Lattice split(std::uint32_t sheets, std::uint32_t sheet_rows, const LevelSplitter* coarser) {
+    lattice_.sheets = sheets;
+    lattice_.sheet_rows = sheet_rows;
     tie_nodes();
-    number_voxels();  // last, because it renumbers the voxels
+    lattice_.hanging.emplace();
+    if (coarser != nullptr) hang_nodes(*coarser);
+    number_voxels();
     return std::move(lattice_);
   }
 
  private:
   void name_side(const CellPart& part) {
-    if (any_apart_) lattice_.sides.push_back(part.sides);
+    if (any_apart_ && part.is_voxel) lattice_.sides.push_back(part.sides);
+  }
+
+  bool is_beside_voxel(const CellPart& part) const {
+    bool any = false;
+    for (int n = 0; n < 27 && !any; ++n) {
+      cells_.each_part(cells_.place_of(part.cell), step_of(n),
+                       [&](std::uint32_t i) { any = any || cells_.parts[i].is_voxel; });
+    }
+    return any;
   }
 
   void remove_strays(Claims& claims) {
     std::unordered_map<std::uint32_t, std::uint64_t> stray;
     for (const CellParts::Stray& each : cells_.strays) stray[each.cell] |= each.samples;
+    std::erase_if(stray, [&](const auto& each) {  // in voxels of another level they are its own
+      return lattice_.voxel_of_cell[each.first] == kNoVoxel;
+    });
     for (const auto& [cell, samples] : stray) {
       claims.inside[cell] &= ~samples;
       claims.owner_fill[cell] = 0;
@@ -69,77 +112,6 @@ class Splitter {
     }
   }
 
-  bool find_crowded() {
-    bool any = false;
-    for (std::uint32_t i = 0; i < cells_.parts.size(); ++i) {
-      for (int n = 0; n < 27 && !cells_.parts[i].crowded; ++n) {
-        cells_.each_part(cells_.place_of(cells_.parts[i].cell), step_of(n), [&](std::uint32_t j) {
-          if (cells_.linked(i, j)) return;
-          cells_.parts[i].crowded = cells_.parts[j].crowded = any = true;
-        });
-      }
-    }
-    return any;
-  }
-
-  // ---- nodes ------------------------------------------------------------------------------------
-
-  struct AtNode {
-    std::uint32_t part;
-    std::uint32_t corner;  // which corner of the part's cell the node is: bits x, y, z
-  };
-
-  std::vector<AtNode> around_node(const CellPlace& node) const {
-    std::vector<AtNode> around;
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      const auto back = [&](std::uint32_t bit) { return (corner >> bit & 1U) != 0 ? -1 : 0; };
-      cells_.each_part(node, {back(0), back(1), back(2)}, [&](std::uint32_t i) {
-        around.push_back({i, corner});
-      });
-    }
-    return around;
-  }
-
-  // Calls visit(node) once for each corner of the parts that `wanted` accepts, sorted by z, then y,
-  // then x.
-  template <typename Wanted, typename Visit>
-  void each_node(Wanted wanted, Visit visit) const {
-    std::vector<std::uint64_t> nodes;
-    for (const CellPart& part : cells_.parts) {
-      if (!wanted(part)) continue;
-      const CellPlace at = cells_.place_of(part.cell);
-      for (std::uint32_t corner = 0; corner < 8; ++corner) {
-        const std::uint64_t x = at.x + (corner & 1U), y = at.y + (corner >> 1U & 1U);
-        nodes.push_back((std::uint64_t{at.z + (corner >> 2U)} << 40U) | (y << 20U) | x);
-      }
-    }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    constexpr std::uint64_t kBits = (1U << 20U) - 1;
-    for (const std::uint64_t node : nodes) {
-      visit(CellPlace{static_cast<std::uint32_t>(node & kBits),
-                      static_cast<std::uint32_t>(node >> 20U & kBits),
-                      static_cast<std::uint32_t>(node >> 40U)});
-    }
-  }
-
-  void find_groups() {
-    const auto is_crowded = [](const CellPart& part) { return part.crowded; };
-    each_node(is_crowded, [&](const CellPlace& node) {
-      const std::vector<AtNode> around = around_node(node);
-      std::vector<std::uint32_t> parent = each_by_itself(around.size());
-      for (std::uint32_t i = 0; i < around.size(); ++i) {
-        for (std::uint32_t j = 0; j < i; ++j) {
-          if (cells_.linked(around[i].part, around[j].part)) join(parent, i, j);
-        }
-      }
-      for (std::uint32_t i = 0; i < around.size(); ++i) {
-        cells_.parts[around[i].part].group[around[i].corner] =
-            static_cast<std::uint8_t>(root_of(parent, i));
-      }
-    });
-  }
-
   // Merges parts of a cell that share all their particles into one voxel.
   void merge_parts() {
     std::vector<CellPart> merged;
@@ -150,6 +122,7 @@ class Splitter {
         const auto same = std::find_if(
             merged.begin() + first_merged.back(), merged.end(),
             [&](const CellPart& before) { return before.group == cells_.parts[i].group; });
+        merged_as_.push_back(static_cast<std::uint32_t>(same - merged.begin()));
         if (same == merged.end()) {
           merged.push_back(cells_.parts[i]);
         } else {
@@ -208,12 +181,14 @@ class Splitter {
   // neighbours, among the sheets allowed for it.
   void choose_sheets() {
     constexpr int kWanted = 1000;  // more than it can have neighbours
-    for (CellPart& part : cells_.parts) part.sheet = part.crowded ? kNoSheet : wanted_sheet(part);
-    std::uint32_t sheets = 1 + *std::ranges::max_element(sheet_of_side_);
     for (CellPart& part : cells_.parts) {
-      if (part.sheet != kNoSheet) continue;
-      std::vector<int> votes(sheets + 1, 0);
-      votes[sheets] = -1;  // a new sheet only if no other is allowed
+      if (part.is_voxel && !part.crowded) part.sheet = wanted_sheet(part);
+    }
+    sheets_ = 1 + *std::ranges::max_element(sheet_of_side_);
+    for (CellPart& part : cells_.parts) {
+      if (part.sheet != kNoSheet || !part.is_voxel) continue;
+      std::vector<int> votes(sheets_ + 1, 0);
+      votes[sheets_] = -1;  // a new sheet only if no other is allowed
       if (any_apart_) votes[wanted_sheet(part)] = kWanted;
       for (int n = 0; n < 27; ++n) {
         cells_.each_part(cells_.place_of(part.cell), step_of(n), [&](std::uint32_t j) {
@@ -224,18 +199,8 @@ class Splitter {
       }
       const auto best = std::max_element(votes.begin(), votes.end());
       part.sheet = static_cast<std::uint32_t>(best - votes.begin());
-      sheets = std::max(sheets, part.sheet + 1);
+      sheets_ = std::max(sheets_, part.sheet + 1);
     }
-    const std::uint64_t rows = std::uint64_t{lattice_.grid.size[1]} + 1;
-    if (sheets > kMaxSheets || rows * sheets > 65535 ||
-        rows * sheets * lattice_.grid.size[2] > kMaxRows) {
-      refuse<TooFine>(
-          "{}: {} sheets of {} x {} rows: expected {} sheets and {} rows at most: choose another "
-          "voxel edge",
-          asked_by_, sheets, rows, lattice_.grid.size[2], kMaxSheets, kMaxRows);
-    }
-    lattice_.sheets = sheets;
-    lattice_.sheet_rows = sheets == 1 ? lattice_.grid.size[1] : static_cast<std::uint32_t>(rows);
   }
 
   // ---- the lattice ------------------------------------------------------------------------------
@@ -245,18 +210,16 @@ class Splitter {
   }
 
   void number_voxels() {
-    std::vector<std::uint32_t> order(cells_.parts.size());
-    std::iota(order.begin(), order.end(), 0U);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < cells_.parts.size(); ++i) {
+      if (cells_.parts[i].is_voxel) order.push_back(i);
+    }
     const auto key = [&](std::uint32_t i) {
       const CellPlace at = cells_.place_of(cells_.parts[i].cell);
       return std::make_tuple(at.z, row_of(at, cells_.parts[i].sheet), at.x);
     };
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    if (order.size() > kMaxVoxels) {
-      refuse<TooFine>("{}: {} voxels: expected at most {}: choose a larger voxel edge", asked_by_,
-                      order.size(), kMaxVoxels);
-    }
     std::vector<std::uint32_t> parts_in_cell;
     for (std::size_t voxel = 0; voxel + 1 < cells_.first.size(); ++voxel) {
       for (std::uint32_t i = cells_.first[voxel]; i < cells_.first[voxel + 1]; ++i) {
@@ -296,45 +259,159 @@ class Splitter {
     ++runs.back().count;
   }
 
+  // The sheets of the parts at a node, with their groups, sorted.
+  std::vector<std::pair<std::uint8_t, std::uint32_t>> sheets_at(const CellPlace& node) const {
+    std::vector<std::pair<std::uint8_t, std::uint32_t>> seen;
+    for (const AtNode& each : groups_.around(node)) {
+      const CellPart& part = cells_.parts[each.part];
+      if (part.is_voxel) seen.emplace_back(part.group[each.corner], part.sheet);
+    }
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    return seen;
+  }
+
   void tie_nodes() {
-    const auto is_beside = [](const CellPart& part) { return part.sheet > 0; };
-    each_node(is_beside, [&](const CellPlace& node) {
-      std::vector<std::tuple<std::uint8_t, std::uint32_t>> seen;  // group, sheet
-      for (const AtNode& each : around_node(node)) {
-        seen.emplace_back(cells_.parts[each.part].group[each.corner],
-                          cells_.parts[each.part].sheet);
-      }
-      std::sort(seen.begin(), seen.end());
-      seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    const auto is_beside = [](const CellPart& part) { return part.is_voxel && part.sheet > 0; };
+    groups_.each_node(is_beside, [&](const CellPlace& node) {
+      const auto seen = sheets_at(node);
       std::uint32_t root = 0;
       for (std::size_t i = 0; i < seen.size(); ++i) {
         const auto [group, sheet] = seen[i];
-        const bool is_root = i == 0 || group != std::get<0>(seen[i - 1]);
+        const bool is_root = i == 0 || group != seen[i - 1].first;
         if (is_root) root = sheet;
-        if (is_root) continue;
+        const GroupHangs own = {node, group, kNoPart};
+        if (is_root || std::ranges::binary_search(hangs_, own, comes_before)) continue;
         lattice_.ties.push_back({static_cast<std::uint16_t>(node.x), row_of(node, sheet),
                                  static_cast<std::uint16_t>(node.z), row_of(node, root)});
       }
     });
-    std::sort(lattice_.ties.begin(), lattice_.ties.end(), [](const OrganTie& a, const OrganTie& b) {
+    sort_by_place(lattice_.ties);
+  }
+
+  void hang_nodes(const LevelSplitter& coarser) {
+    const auto u16 = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };
+    for (const GroupHangs& each : hangs_) {
+      const CellPart& on = coarser.cells_.parts[coarser.merged_as_[each.on]];
+      const CellPlace cell = coarser.cells_.place_of(on.cell);
+      for (const auto& [group, sheet] : sheets_at(each.node)) {
+        if (group != each.group) continue;
+        lattice_.hanging->push_back({u16(each.node.x), row_of(each.node, sheet), u16(each.node.z),
+                                     u16(cell.x), row_of(cell, on.sheet), u16(cell.z)});
+      }
+    }
+    sort_by_place(*lattice_.hanging);
+  }
+
+  template <typename Node>
+  static void sort_by_place(std::vector<Node>& nodes) {
+    std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
       return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
     });
   }
 
   static constexpr int kRefused = -2;
 
-  const char* asked_by_;
   bool any_apart_;
   std::vector<std::uint32_t> sheet_of_side_;
   Lattice lattice_;
-  CellParts cells_;
+  std::optional<Lattice> around_;
+  NodeGroups groups_;
+  CellParts& cells_;
+  std::uint32_t sheets_ = 1;
+  std::vector<GroupHangs> hangs_;
+  std::vector<std::uint32_t> merged_as_;  // of each part before parts were merged
 };
+
+// The cells of a level that are four cells or less from one of its voxels. What is connected with
+// what is asked of parts beside voxels and of those beside them; it depends on cells up to two
+// away.
+std::optional<Lattice> around_voxels(Claims& claims, const Lattice& lattice,
+                                     std::vector<std::uint8_t> gone) {
+  constexpr int kAround = 4;
+  const Grid& grid = lattice.grid;
+  std::vector<std::uint8_t> left_out(cell_count(grid), 1);
+  for (const std::uint32_t cell : lattice.cell_of_voxel) {
+    const std::uint32_t x = cell % grid.size[0], row = cell / grid.size[0];
+    const std::array<std::uint32_t, 3> at = {x, row % grid.size[1], row / grid.size[1]};
+    std::array<std::uint32_t, 3> low{}, high{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = at[axis] < kAround ? 0 : at[axis] - kAround;
+      high[axis] = std::min(grid.size[axis], at[axis] + kAround + 1);
+    }
+    for (std::uint32_t z = low[2]; z < high[2]; ++z) {
+      for (std::uint32_t y = low[1]; y < high[1]; ++y) {
+        const std::size_t begin = cell_index(grid, low[0], y, z);
+        std::fill_n(left_out.begin() + static_cast<std::ptrdiff_t>(begin), high[0] - low[0],
+                    std::uint8_t{0});
+      }
+    }
+  }
+  for (std::size_t i = 0; i < gone.size(); ++i) left_out[i] |= gone[i];
+  return make_lattice(claims, {}, left_out);
+}
+
+// Sheets and rows of all levels.
+void require_few(std::span<const Lattice> levels, const char* asked_by) {
+  const std::uint64_t sheets = levels[0].sheets, rows = lattice_size(levels).rows;
+  const std::uint64_t planes = lattice_size(levels).z;
+  if (sheets <= kMaxSheets && rows * sheets <= 65535 && rows * sheets * planes <= kMaxRows) return;
+  refuse<TooFine>(
+      "{}: {} sheets of {} x {} rows: expected {} sheets and {} rows at most: choose another "
+      "voxel edge",
+      asked_by, sheets, rows, planes, kMaxSheets, kMaxRows);
+}
 
 }  // namespace
 
-Lattice split_parts(Claims& claims, const SamplePlaces& places, Lattice lattice,
-                    const Connections& connections) {
-  return Splitter(claims, places, std::move(lattice), connections).split();
+std::vector<Lattice> split_parts(std::vector<Claims>& levels, const SamplePlaces& places,
+                                 std::vector<Lattice> lattices,
+                                 const std::vector<std::uint8_t>& cut,
+                                 const Connections& connections) {
+  const auto count = static_cast<std::uint32_t>(lattices.size());
+  std::deque<LevelSplitter> split;
+  bool any_crowded = false;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::optional<Lattice> around;
+    if (count > 1) {
+      around = around_voxels(levels[i], lattices[i], inherited(cut, lattices[i].grid, i));
+    }
+    split.emplace_back(levels[i], places, std::move(lattices[i]), std::move(around), connections);
+    any_crowded = split.back().groups().find_crowded() || any_crowded;
+  }
+  const char* const asked_by = connections.gaps_part ? "--split-gaps" : "--slide";
+  if (!any_crowded) {
+    for (std::uint32_t i = 0; i < count; ++i) lattices[i] = split[i].unsplit();
+    if (count > 1) keep_pieces_apart(lattices);
+    require_few(lattices, asked_by);
+    return lattices;
+  }
+  for (LevelSplitter& level : split) level.groups().find_groups();
+  std::vector<std::vector<GroupHangs>> hangs(count);
+  for (std::uint32_t i = count; i-- > 1;) {
+    hangs[i] = hang_groups(split[i].groups(), places, connections.apart, split[i - 1].groups());
+  }
+  std::uint32_t sheets = 1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    split[i].choose_voxels(std::move(hangs[i]));
+    sheets = std::max(sheets, split[i].sheets());
+  }
+  const std::uint32_t space = levels[count - 1].grid.size[1];
+  for (std::uint32_t i = 0; i < count; ++i) {
+    lattices[i] =
+        split[i].split(sheets, sheets == 1 ? space : space + 1, i > 0 ? &split[i - 1] : nullptr);
+  }
+  require_few(lattices, asked_by);  // rows have 16 bits
+  if (count > 1) {
+    keep_pieces_apart(lattices);
+    require_few(lattices, asked_by);
+  }
+  const std::size_t voxels = voxel_count(lattices);
+  if (voxels > kMaxVoxels) {
+    refuse<TooFine>("{}: {} voxels: expected at most {}: choose a larger voxel edge", asked_by,
+                    voxels, kMaxVoxels);
+  }
+  return lattices;
 }
 
 }  // namespace stylet::offline

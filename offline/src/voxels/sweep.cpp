@@ -59,13 +59,15 @@ double swept_voxels(std::span<const Lattice> levels) {
   const Lattice& coarsest = levels.front();
   const LatticeSize size = lattice_size(levels);
   const std::vector<OrganRun> runs = runs_of(levels);
+  const std::vector<OrganTie> ties = ties_of(levels);
+  const std::vector<OrganPart> parts = parts_of(levels);
   const std::vector<OrganHanging> hanging = hanging_nodes(levels);
   Organ organ = bare_organ({size.x, size.rows, size.z}, runs);
   organ.size_y = static_cast<std::uint16_t>(size.rows * coarsest.sheets);
   organ.levels = static_cast<std::uint16_t>(levels.size());
   organ.level_planes = static_cast<std::uint16_t>(coarsest.grid.size[2]);
-  organ.ties = coarsest.ties;
-  organ.parts = coarsest.parts;
+  organ.ties = ties;
+  organ.parts = parts;
   organ.hanging = hanging;
   return voxels_of(state_bytes(organ));
 }
