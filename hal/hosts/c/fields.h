@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "stylet/stylet.h"
 #include "stylet/stylet_loop.h"
@@ -13,7 +15,7 @@
 namespace stylet::c {
 
 struct Span {
-  std::size_t begin = 0, end = 0;
+  std::uint16_t begin = 0, end = 0;
 };
 
 // As C lays out fields of these types one after the other.
@@ -25,7 +27,7 @@ constexpr auto spans(const Fields&... /*fields*/) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
     at = (at + kAlign[i] - 1) / kAlign[i] * kAlign[i];
-    out[i] = {at, at + kSize[i]};
+    out[i] = {static_cast<std::uint16_t>(at), static_cast<std::uint16_t>(at + kSize[i])};
     at += kSize[i];
   }
   return out;
@@ -109,11 +111,18 @@ constexpr auto fields(const stylet_loop_report& of) {
 }
 
 template <typename T>
-constexpr bool cuts_a_field(std::size_t bytes) {
-  constexpr T kNone{};
-  constexpr auto kFields = fields(kNone);
-  static_assert(kFields.back().end <= sizeof(T) && sizeof(T) < kFields.back().end + alignof(T));
-  for (const Span& field : kFields) {
+constexpr auto kFieldsOf = fields(T{});
+
+// The fields of a struct, for code that need not know its type.
+template <typename T>
+constexpr std::span<const Span> known_fields() {
+  constexpr std::size_t kEnd = kFieldsOf<T>.back().end;
+  static_assert(kEnd <= sizeof(T) && sizeof(T) < kEnd + alignof(T));
+  return kFieldsOf<T>;
+}
+
+inline bool cuts_a_field(std::span<const Span> fields, std::size_t bytes) {
+  for (const Span& field : fields) {
     if (field.begin < bytes && bytes < field.end) return true;
   }
   return false;

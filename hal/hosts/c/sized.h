@@ -18,10 +18,9 @@ constexpr std::uint32_t kLeastStruct = 8;
 constexpr std::uint32_t kMostStruct = 65'536;
 
 // Whether a caller can have been compiled with a struct of this size.
-template <typename T>
-bool is_size_of(std::size_t bytes) {
+inline bool is_size_of(std::span<const Span> fields, std::size_t bytes) {
   return bytes >= kLeastStruct && bytes <= kMostStruct && bytes % alignof(std::uint32_t) == 0 &&
-         !cuts_a_field<T>(bytes);
+         !cuts_a_field(fields, bytes);
 }
 
 // How far apart the elements of an array are: the size its caller knew, which its first element
@@ -29,7 +28,7 @@ bool is_size_of(std::size_t bytes) {
 template <typename T>
 std::uint32_t stride_of(const T* array) {
   const std::uint32_t bytes = array->struct_bytes;
-  return is_size_of<T>(bytes) ? bytes : 0;
+  return is_size_of(known_fields<T>(), bytes) ? bytes : 0;
 }
 
 template <typename T>
@@ -43,11 +42,14 @@ T* element(T* array, std::uint32_t stride, std::size_t index) {
 }
 
 // Whether a struct has something where we know no field.
+inline bool has_unknown(const void* from, std::size_t bytes, std::size_t known) {
+  const auto* const all = static_cast<const unsigned char*>(from);
+  return std::any_of(all + std::min(bytes, known), all + bytes,
+                     [](unsigned char byte) { return byte != 0; });
+}
 template <typename T>
 bool has_unknown(const T* from, std::uint32_t bytes) {
-  const auto* const all = reinterpret_cast<const unsigned char*>(from);
-  return std::any_of(all + std::min<std::size_t>(bytes, sizeof(T)), all + bytes,
-                     [](unsigned char byte) { return byte != 0; });
+  return has_unknown(from, bytes, sizeof(T));
 }
 
 // Takes what the caller's struct holds; `value` has defaults for the rest. False: it did not say
@@ -65,14 +67,17 @@ bool take(const T* from, T& value) {
 }
 
 // Gives the caller what its struct has room for; what we do not know is zero.
+inline bool give(const void* value, std::size_t known, void* to, std::uint32_t bytes) {
+  if (bytes == 0) return false;
+  std::memcpy(to, value, std::min<std::size_t>(bytes, known));
+  std::memcpy(to, &bytes, sizeof bytes);  // in an array of such a size it need not be aligned
+  auto* const all = static_cast<unsigned char*>(to);
+  if (bytes > known) std::memset(all + known, 0, bytes - known);
+  return true;
+}
 template <typename T>
 bool give(const T& value, T* to, std::uint32_t bytes) {
-  if (bytes == 0) return false;
-  std::memcpy(to, &value, std::min<std::size_t>(bytes, sizeof(T)));
-  std::memcpy(to, &bytes, sizeof bytes);  // in an array of such a size it need not be aligned
-  auto* const all = reinterpret_cast<unsigned char*>(to);
-  if (bytes > sizeof(T)) std::memset(all + sizeof(T), 0, bytes - sizeof(T));
-  return true;
+  return give(&value, sizeof(T), to, bytes);
 }
 template <typename T>
 bool give(const T& value, T* to) {
@@ -101,7 +106,7 @@ stylet_status missing(T* to) {
 template <typename T>
 stylet_status init(const T& value, T* to, std::size_t bytes) {
   if (to == nullptr) return STYLET_ARGUMENT_MISSING;
-  if (!is_size_of<T>(bytes)) return STYLET_STRUCT_SIZE_UNKNOWN;
+  if (!is_size_of(known_fields<T>(), bytes)) return STYLET_STRUCT_SIZE_UNKNOWN;
   (void)give(value, to, static_cast<std::uint32_t>(bytes));
   return STYLET_OK;
 }

@@ -246,6 +246,20 @@ inline void finish_tiles(const Tile* tile, const Tile* end, const Iterates& iter
   }
 }
 
+// The same for a plane with nodes that are one particle: they first get the sum of their values.
+// For all passes: in pass 1 what would be added is zero.
+STYLET_KEEP_APART void finish_tied(const Model& model, const Plane& plane, const PassArrays& arrays,
+                                   const Iterates& iterates, float* to) {
+  const Tile* const nodes = model.tile + plane.tiles.node;
+  const Tile* const end = model.tile + plane.tiles.voxel;
+  float* const sums = arrays.work;
+  gather_tiles(nodes, end, arrays.below, arrays.above, sums + kTileFloats);
+  join_tied(model.tied_place + plane.tie_begin, model.tied_place + plane.tie_end, sums, 0, kTile);
+  finish_tiles<false>(nodes, end, iterates, kTileFloats, to, [=](const Tile&, std::ptrdiff_t at) {
+    return [=](std::uint32_t i) { return load_narrow(sums + (at + i)); };
+  });
+}
+
 // Tiles of voxels that pass over a plane together, so that what belongs to them stays in the
 // nearest cache until the nodes below them take it.
 constexpr std::ptrdiff_t kTilesTogether = 16;
@@ -282,17 +296,11 @@ STYLET_KEEP_APART void pass_plane_as(const Model& model, const PassArrays& array
               above + at, carry);
     if (!tied) finish_until(nodes + voxels[next - 1].ready);
   }
-  if (!tied) {
+  if (tied) {
+    finish_tied(model, plane, arrays, iterates, to);
+  } else {
     finish_until(voxels);
-    return;
   }
-  float* const sums = arrays.work;
-  gather_tiles(nodes, voxels, below, above, sums + kTileFloats);
-  join_tied(model.tied_place + plane.tie_begin, model.tied_place + plane.tie_end, sums, 0, kTile);
-  finish_tiles<kStart>(nodes, voxels, iterates, kTileFloats, to,
-                       [=](const Tile&, std::ptrdiff_t at) {
-                         return [=](std::uint32_t i) { return load_narrow(sums + (at + i)); };
-                       });
 }
 
 // Pass j for the voxels of plane z and the particles below them, whose next iterates it writes to
@@ -340,8 +348,8 @@ STYLET_KEEP_APART void pack_plane(const Piece* piece, const Piece* end, const fl
 }
 
 // Moves a plane's particles with these velocities: x, y, z, `axis` apart.
-void move_plane(const Plane& plane, State& state, const float* velocity, std::ptrdiff_t axis,
-                Motion& motion_io) {
+STYLET_KEEP_APART void move_plane(const Plane& plane, State& state, const float* velocity,
+                                  std::ptrdiff_t axis, Motion& motion_io) {
   const std::ptrdiff_t own_axis = state.uy - state.ux;
   float* const u = state.ux + plane.particle_begin;
   float* const v = state.vx + plane.particle_begin;

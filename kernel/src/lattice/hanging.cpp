@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
@@ -75,7 +76,7 @@ void list_shares(const Model& model, HangingShare* shares) {
 }  // namespace
 
 void order_shares(HangingShare* first, HangingShare* end, bool finest_first) {
-  std::sort(first, end, [=](const HangingShare& a, const HangingShare& b) {
+  sort(first, end, [=](const HangingShare& a, const HangingShare& b) {
     if (a.count != b.count) return finest_first ? a.count > b.count : a.count < b.count;
     return a.to != b.to ? a.to < b.to : a.from < b.from;
   });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/function.h"
 #include "lattice/hanging.h"
 #include "lattice/shadow.h"
 #include "lattice/tiles.h"
@@ -59,7 +60,7 @@ class Reached {
   }
 
  private:
-  Stretches<1> left_;
+  Stretches left_;
   Extent now_ = {}, after_ = {};
   std::uint32_t index_ = 0;
   bool here_ = false, more_ = false;
@@ -69,10 +70,10 @@ class Reached {
 // between two voxel rows. Where another stretch begins, a new window begins: the old window's
 // unused lanes write zeros there, and the new one overwrites them. Each window holds a node of
 // either row: fewer than kGap nodes of neither row lie between two such nodes.
-template <typename Visit>
-void for_each_window(Runs before, Runs behind, std::uint32_t width, Visit visit) {
+void for_each_window(Runs before, Runs behind, std::uint32_t width,
+                     Function<void(std::uint32_t, Reach, Reach)> visit) {
   Reached one(before), other(behind);
-  Stretches<2> both({before, behind});
+  Stretches both({before, behind});
   std::uint32_t end = 0;
   for (Extent all; both.next(all);) {
     for (std::uint32_t x = all.begin; x <= all.end; x = end) {
@@ -94,10 +95,10 @@ struct Totals {
 void count_voxels(Runs plane, Totals& totals) {
   std::uint64_t slots = 1;
   std::uint32_t y = 0;
-  Lines<1> lines({plane});
-  for (Runs rows[2]; lines.next(y, rows);) {
+  Lines lines({plane});
+  for (Beside rows; lines.next(y, rows);) {
     const std::uint64_t before = slots;
-    Stretches<1> stretches({rows[0]});
+    Stretches stretches({rows[0]});
     for (Extent e; stretches.next(e); ++totals.rows) slots += e.end - e.begin + 1;
     totals.slots_of_line = std::max(totals.slots_of_line, slots - before);
     for (std::uint32_t i = 0; i < 2; ++i) {
@@ -112,9 +113,9 @@ void count_voxels(Runs plane, Totals& totals) {
 void count_nodes(Runs above, Runs below, Totals& totals) {
   std::uint64_t particles = kLanes;
   std::uint32_t y = 0;
-  Lines<2> lines({above, below});
-  for (Runs rows[4]; lines.next(y, rows);) {
-    Stretches<4> stretches(rows);
+  Lines lines({above, below});
+  for (Beside rows; lines.next(y, rows);) {
+    Stretches stretches(rows);
     for (Extent e; stretches.next(e);) particles += e.end - e.begin + 1;
   }
   particles = round_lanes(particles);
@@ -128,9 +129,9 @@ void for_each_row(const Organ& organ, Visit visit) {
   Planes planes(organ);
   std::uint32_t y = 0, z = 0;
   for (Runs plane; planes.next(z, plane);) {
-    Lines<1> lines({plane});
-    for (Runs rows[2]; lines.next(y, rows);) {
-      Stretches<1> stretches({rows[0]});
+    Lines lines({plane});
+    for (Beside rows; lines.next(y, rows);) {
+      Stretches stretches({rows[0]});
       for (Extent e; stretches.next(e);) visit(y, z);
     }
   }
@@ -161,10 +162,10 @@ void count_places(const Organ& organ, Counts& c) {
 void fill_rows(Runs runs, std::uint32_t plane, Model& model, std::uint32_t& row,
                std::uint32_t& slot) {
   std::uint32_t y = 0;
-  Lines<1> lines({runs});
+  Lines lines({runs});
   ++slot;
-  for (Runs rows[2]; lines.next(y, rows);) {
-    Stretches<1> stretches({rows[0]});
+  for (Beside rows; lines.next(y, rows);) {
+    Stretches stretches({rows[0]});
     for (Extent e; stretches.next(e);) {
       model.row[row++] = {slot,
                           static_cast<std::uint16_t>(e.end - e.begin),
@@ -188,10 +189,10 @@ void fill_nodes(Runs above, Runs below, std::uint32_t plane, Model& model, std::
   std::uint32_t next[4] = {begin, begin, begin_below, begin_below};
   const std::uint32_t end[4] = {rows_end, rows_end, begin, begin};
   std::uint32_t y = 0;
-  Lines<2> lines({above, below});
+  Lines lines({above, below});
   particle += kLanes;
-  for (Runs rows[4]; lines.next(y, rows);) {
-    Stretches<4> stretches(rows);
+  for (Beside rows; lines.next(y, rows);) {
+    Stretches stretches(rows);
     for (Extent e; stretches.next(e);) {
       for (std::uint32_t corner = 0; corner < 4; ++corner) {
         for (; next[corner] < end[corner]; ++next[corner]) {
@@ -231,9 +232,9 @@ void fill_windows(Runs runs, std::uint32_t plane, Model& model, std::uint32_t li
   Row* before = model.row + model.plane[plane].row_begin;
   Row* behind = before;
   std::uint32_t y = 0;
-  Lines<1> lines({runs});
-  for (Runs rows[2]; lines.next(y, rows);) {
-    Stretches<1> stretches({rows[0]});
+  Lines lines({runs});
+  for (Beside rows; lines.next(y, rows);) {
+    Stretches stretches({rows[0]});
     std::uint32_t count = 0;
     for (Extent e; stretches.next(e); ++count) behind[count].window[list] = next;
     for_each_window(rows[1], rows[0], 8U << list, [&](std::uint32_t x, Reach a, Reach b) {

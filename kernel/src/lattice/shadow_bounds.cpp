@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "base/sort.h"
 #include "lattice/hanging.h"
 #include "lattice/shadow_plan.h"
 #include "lattice/voxel.h"
@@ -22,7 +23,7 @@ void fill_cells(Plan& plan) {
     });
     if (level == 0) plan.shadows.coarse_cells = count;
   }
-  std::sort(&model.shadow_cell[0], &model.shadow_cell[0] + count, comes_before<ShadowCell>);
+  sort(&model.shadow_cell[0], &model.shadow_cell[0] + count, comes_before<ShadowCell>);
 }
 
 ShadowCell& cell_around(const Plan& plan, const LevelPlace& child) {
@@ -111,8 +112,9 @@ float fastest_of(const Model& model, std::uint32_t slot, float edge_m, float bou
   return 8 * bound_n_per_m / (density * model.slot_fill[slot] * (edge_m * edge_m * edge_m));
 }
 
-template <typename Visit>
-void for_each_voxel_of(const Plan& plan, std::uint32_t level, Visit visit) {
+using VisitCell = Function<void(const AnyCell&)>;
+
+void for_each_voxel_of(const Plan& plan, std::uint32_t level, VisitCell visit) {
   const Model& model = plan.model;
   std::uint32_t voxel = 0;
   for (const OrganRun& run : plan.organ.runs) {
@@ -138,8 +140,7 @@ void for_each_voxel_of(const Plan& plan, std::uint32_t level, Visit visit) {
 }
 
 // Calls visit(AnyCell) for each cell of a level above 0.
-template <typename Visit>
-void for_each_cell_of(const Plan& plan, std::uint32_t level, Visit visit) {
+void for_each_cell_of(const Plan& plan, std::uint32_t level, VisitCell visit) {
   for_each_voxel_of(plan, level, visit);
   for (std::uint32_t i = 0; i < plan.model.head->counts.shadow_cells; ++i) {
     const ShadowCell& shadow = plan.model.shadow_cell[i];

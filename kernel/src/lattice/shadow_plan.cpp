@@ -2,7 +2,9 @@
 #include "lattice/shadow_plan.h"
 
 #include <algorithm>
+#include <functional>
 
+#include "base/sort.h"
 #include "lattice/hanging.h"
 #include "lattice/shadow_sheets.h"
 #include "lattice/tiles.h"
@@ -40,10 +42,10 @@ void fill_nodes(Plan& plan) {
     }
   }
   std::uint32_t* const first = plan.model.border;
-  std::sort(first, first + border);
+  sort(first, first + border, std::less<>{});
   border = static_cast<std::uint32_t>(std::unique(first, first + border) - first);
   ShadowNode* const shadow = plan.model.shadow;
-  std::sort(shadow, shadow + shadows, comes_before<ShadowNode>);
+  sort(shadow, shadow + shadows, comes_before<ShadowNode>);
   const auto same = [](const ShadowNode& a, const ShadowNode& b) {
     return order_of(a) == order_of(b);
   };

@@ -15,21 +15,12 @@ struct FoundTile {
   Piece piece;
 };
 
-// What a plane stores of the rows beside a line (runs.h): of voxels, of nodes.
-Stretches<1> stretches_of(const Runs (&rows)[2]) {
-  return Stretches<1>({rows[0]});
-}
-Stretches<4> stretches_of(const Runs (&rows)[4]) {
-  return Stretches<4>(rows);
-}
-
-// The tiles of a plane, by y and x. kPlanes 1: of its voxels and the node behind each stretch;
-// 2: of the nodes between two voxel planes, the one above first.
-template <std::uint32_t kPlanes>
+// The tiles of a plane, by y and x: of its voxels and the node behind each stretch, or of the nodes
+// between two voxel planes.
 class PlaneWalk {
  public:
-  explicit PlaneWalk(const Runs (&planes)[kPlanes])
-      : lines_(planes), next_(kPlanes == 1 ? 1 : kLanes) {}
+  explicit PlaneWalk(Runs voxels) : lines_({voxels}), rows_(1), next_(1) {}
+  PlaneWalk(Runs above, Runs below) : lines_({above, below}), rows_(kRowsTogether), next_(kLanes) {}
 
   bool next(FoundTile& out) {
     if ((!open_ || x_ * kTile > stretch_.end) && !next_stretch()) return false;
@@ -46,13 +37,11 @@ class PlaneWalk {
   }
 
  private:
-  static constexpr std::uint32_t kRows = kPlanes == 1 ? 1 : 2 * kPlanes;
-
   bool next_stretch() {
     while (!open_ || !stretches_.next(stretch_)) {
-      Runs rows[2 * kPlanes];
+      Beside rows;
       if (!lines_.next(y_, rows)) return false;
-      stretches_ = stretches_of(rows);
+      stretches_ = Stretches(std::span(rows).first(rows_));
       open_ = true;
     }
     x_ = stretch_.begin / kTile;
@@ -61,9 +50,9 @@ class PlaneWalk {
     return true;
   }
 
-  static constexpr Runs kNone[kRows] = {};
-  Lines<kPlanes> lines_;
-  Stretches<kRows> stretches_{kNone};
+  Lines lines_;
+  Stretches stretches_ = {};
+  std::uint32_t rows_;  // beside a line
   std::uint32_t next_;  // slot or particle, in the plane, of the next stretch
   Extent stretch_ = {};
   std::uint32_t y_ = 0, x_ = 0, begin_ = 0, place_ = 0;
@@ -71,10 +60,9 @@ class PlaneWalk {
 };
 
 // Where in a plane's array the tile at line y and place x lies, asked by rising y and x.
-template <std::uint32_t kPlanes>
 class Places {
  public:
-  explicit Places(const Runs (&planes)[kPlanes]) : left_(planes) { more_ = left_.next(here_); }
+  explicit Places(const PlaneWalk& all) : left_(all) { more_ = left_.next(here_); }
 
   // 0, the empty tile, if there is none.
   std::uint32_t of(std::int64_t y, std::uint32_t x) {
@@ -83,7 +71,7 @@ class Places {
   }
 
  private:
-  PlaneWalk<kPlanes> left_;
+  PlaneWalk left_;
   FoundTile here_ = {};
   bool more_;
 };
@@ -102,45 +90,25 @@ void for_each_plane(const Organ& organ, std::uint32_t planes, Visit visit) {
   }
 }
 
-template <std::uint32_t kPlanes>
-void count_plane(const Runs (&planes)[kPlanes], Counts& counts_io) {
-  PlaneWalk<kPlanes> left(planes);
+void count_plane(PlaneWalk left, Counts& counts_io) {
   std::uint32_t tiles = 0;
   for (FoundTile found; left.next(found);) ++tiles;
   counts_io.tiles += tiles;
   counts_io.tile_floats = std::max(counts_io.tile_floats, (1 + tiles) * kTileFloats);
 }
 
-// Fills a plane's tiles from index `next` on. from(found): where what a tile takes lies.
-template <std::uint32_t kPlanes, typename From>
-void fill_plane(const Runs (&planes)[kPlanes], Model& model, std::uint32_t& next_io, From from) {
-  PlaneWalk<kPlanes> left(planes);
-  for (FoundTile found; left.next(found); ++next_io) {
-    model.piece[next_io] = found.piece;
-    model.tile[next_io] = from(found);
+// Fills a plane's tiles from index `next` on. They take from tiles of the planes below and above,
+// at both sides along y: those of line y take from lines y + first and y + first + 1.
+void fill_plane(PlaneWalk left, const PlaneWalk& below, const PlaneWalk& above, std::int64_t first,
+                Model& model, std::uint32_t& next_io) {
+  Places first_below(below), second_below(below), first_above(above), second_above(above);
+  for (FoundTile at; left.next(at); ++next_io) {
+    const std::int64_t y = at.y + first;
+    model.piece[next_io] = at.piece;
+    model.tile[next_io] = {{first_below.of(y, at.x), second_below.of(y + 1, at.x),
+                            first_above.of(y, at.x), second_above.of(y + 1, at.x)},
+                           0};
   }
-}
-
-// Nodes take from the voxels at both sides along y, of the planes below and above.
-void fill_nodes(Runs below, Runs above, Model& model, std::uint32_t& next_io) {
-  Places<1> first_below({below}), second_below({below});
-  Places<1> first_above({above}), second_above({above});
-  fill_plane<2>({above, below}, model, next_io, [&](const FoundTile& at) -> Tile {
-    return {{first_below.of(std::int64_t{at.y} - 1, at.x), second_below.of(at.y, at.x),
-             first_above.of(std::int64_t{at.y} - 1, at.x), second_above.of(at.y, at.x)},
-            0};
-  });
-}
-
-// Voxels take from the nodes at both sides along y, below and above.
-void fill_voxels(Runs below, Runs here, Runs above, Model& model, std::uint32_t& next_io) {
-  Places<2> first_below({here, below}), second_below({here, below});
-  Places<2> first_above({above, here}), second_above({above, here});
-  fill_plane<1>({here}, model, next_io, [&](const FoundTile& at) -> Tile {
-    return {{first_below.of(at.y, at.x), second_below.of(std::int64_t{at.y} + 1, at.x),
-             first_above.of(at.y, at.x), second_above.of(std::int64_t{at.y} + 1, at.x)},
-            0};
-  });
 }
 
 // For each tile of a plane's voxels: how many tiles of its nodes take from no later one.
@@ -188,8 +156,8 @@ std::uint32_t place_in_tiles(const Model& model, std::uint32_t particle) {
 void count_tiles(const Organ& organ, Counts& counts_io) {
   for_each_plane(organ, counts_io.planes,
                  [&](std::uint32_t i, Runs below, Runs here, Runs, std::uint32_t z) {
-                   count_plane<2>({here, below}, counts_io);
-                   if (i < counts_io.planes) count_plane<1>({here}, counts_io);
+                   count_plane(PlaneWalk(here, below), counts_io);
+                   if (i < counts_io.planes) count_plane(PlaneWalk(here), counts_io);
                    ++counts_io.tiles;  // an empty one behind each plane's
                    if (level_of(organ.level_planes, z) == 0)
                      counts_io.coarse_tiles = counts_io.tiles;
@@ -211,10 +179,13 @@ void fill_tiles(const Organ& organ, Model& model) {
   for_each_plane(organ, planes,
                  [&](std::uint32_t i, Runs below, Runs here, Runs above, std::uint32_t) {
                    Plane& plane = model.plane[i];
+                   const PlaneWalk nodes(here, below);
                    plane.tiles.node = next;
-                   fill_nodes(below, here, model, next);
+                   fill_plane(nodes, PlaneWalk(below), PlaneWalk(here), -1, model, next);
                    plane.tiles.voxel = next;
-                   if (i < planes) fill_voxels(below, here, above, model, next);
+                   if (i < planes) {
+                     fill_plane(PlaneWalk(here), nodes, PlaneWalk(above, here), 0, model, next);
+                   }
                    plane.tiles.end = next++;  // an empty one: the passes read one ahead
                    fill_ready(plane.tiles, model);
                    fill_ties(plane, model);

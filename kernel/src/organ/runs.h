@@ -8,7 +8,9 @@
 // Promises: no allocation; all walks together visit each run a fixed number of times.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 
 #include "stylet/organ.h"
@@ -29,82 +31,39 @@ struct Extent {
   std::uint32_t begin, end;
 };
 
+// At most so many planes and rows are walked together: those beside a plane of nodes, and those
+// beside a line of nodes.
+constexpr std::uint32_t kPlanesTogether = 2;
+constexpr std::uint32_t kRowsTogether = 2 * kPlanesTogether;
+
 // The stretches that the voxels of several rows make together, one after the other.
-template <std::uint32_t kRows>
 class Stretches {
  public:
-  explicit Stretches(const Runs (&rows)[kRows]) {
-    for (std::uint32_t i = 0; i < kRows; ++i) left_[i] = rows[i];
-  }
+  Stretches(std::initializer_list<Runs> rows) : Stretches(std::span(rows.begin(), rows.size())) {}
+  explicit Stretches(std::span<const Runs> rows);
 
   // The next stretch; false after the last one.
-  bool next(Extent& stretch_out) {
-    const Runs* first = nullptr;
-    for (const Runs& runs : left_) {
-      if (!runs.empty() && (first == nullptr || runs[0].x < (*first)[0].x)) first = &runs;
-    }
-    if (first == nullptr) return false;
-    stretch_out = {(*first)[0].x, (*first)[0].x};
-    for (std::uint32_t i = 0, idle = 0; idle < kRows; ++i) {
-      idle = take(left_[i % kRows], stretch_out) ? 0 : idle + 1;
-    }
-    return true;
-  }
+  bool next(Extent& stretch_out);
 
  private:
-  // Takes the runs that begin less than kGap cells after the stretch's end; whether there was one.
-  static bool take(Runs& runs, Extent& stretch) {
-    std::size_t count = 0;
-    for (; count < runs.size() && runs[count].x < stretch.end + kGap; ++count) {
-      const std::uint32_t end = std::uint32_t{runs[count].x} + runs[count].count;
-      if (end > stretch.end) stretch.end = end;
-    }
-    runs = runs.subspan(count);
-    return count > 0;
-  }
-
-  Runs left_[kRows];
+  Runs left_[kRowsTogether];
+  std::uint32_t rows_;
 };
 
+// The voxel rows beside a line of nodes: those at y, then y - 1, of each plane.
+using Beside = std::array<Runs, kRowsTogether>;
+
 // The lines of nodes along x between the voxel rows of one plane or of two, by rising y.
-template <std::uint32_t kPlanes>
 class Lines {
  public:
-  explicit Lines(const Runs (&planes)[kPlanes]) {
-    for (std::uint32_t i = 0; i < kPlanes; ++i) left_[i] = planes[i];
-  }
+  Lines(std::initializer_list<Runs> planes);
 
-  // The next line y that has a node, and the voxel rows beside it: y, then y - 1, of each plane.
-  bool next(std::uint32_t& y_out, Runs (&rows_out)[2 * kPlanes]) {
-    bool found = false;
-    std::uint32_t y = 0;
-    for (std::uint32_t i = 0; i < kPlanes; ++i) {
-      const bool behind = !here_[i].empty();  // a row ends at this line
-      if (!behind && left_[i].empty()) continue;
-      const std::uint32_t own = behind ? y_ + 1 : left_[i][0].y;
-      if (!found || own < y) y = own;
-      found = true;
-    }
-    for (std::uint32_t i = 0; i < kPlanes; ++i) {
-      rows_out[2 * i + 1] = found && y == y_ + 1 ? here_[i] : Runs{};
-      rows_out[2 * i] = here_[i] = found ? take_row(left_[i], y) : Runs{};
-    }
-    y_out = y_ = y;
-    return found;
-  }
+  // The next line y that has a node; false after the last one.
+  bool next(std::uint32_t& y_out, Beside& rows_out);
 
  private:
-  static Runs take_row(Runs& runs, std::uint32_t y) {
-    std::size_t count = 0;
-    for (; count < runs.size() && runs[count].y == y; ++count) {
-    }
-    const Runs row = runs.first(count);
-    runs = runs.subspan(count);
-    return row;
-  }
-
-  Runs left_[kPlanes], here_[kPlanes] = {};
-  std::uint32_t y_ = 0;
+  Runs left_[kPlanesTogether], here_[kPlanesTogether] = {};
+  std::uint32_t planes_, y_ = 0;
 };
 
 // The planes that are stored, lowest first.
@@ -113,19 +72,7 @@ class Planes {
   explicit Planes(const Organ& organ) : left_(organ.runs), end_(organ.size_z) {}
 
   // The next plane; false after the last one: then `z_out` is that of the nodes above it.
-  bool next(std::uint32_t& z_out, Runs& runs_out) {
-    const std::uint32_t filled = left_.empty() ? end_ : left_[0].z;
-    // After an empty plane comes the next plane that is not empty.
-    if (empty_) z_ = filled;
-    z_out = z_;
-    std::size_t count = 0;
-    for (; count < left_.size() && left_[count].z == z_; ++count) {
-    }
-    runs_out = left_.first(count);
-    left_ = left_.subspan(count);
-    empty_ = count == 0;
-    return z_++ < end_;
-  }
+  bool next(std::uint32_t& z_out, Runs& runs_out);
 
  private:
   Runs left_;

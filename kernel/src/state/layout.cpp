@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "state/layout.h"
 
+#include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 namespace stylet {
 namespace {
@@ -11,30 +13,66 @@ constexpr Bytes round_block(Bytes bytes) {
   return (bytes + kBlockAlignment - 1) / kBlockAlignment * kBlockAlignment;
 }
 
-// In 64 bits, where sums of counts below 2^32 cannot wrap; sizes that no pointer spans are refused.
-#define STYLET_FIELD_SIZE(name, type, count) \
-  bytes += round_block(sizeof(type) * static_cast<std::uint64_t>(count));
-std::uint64_t model_bytes(const Counts& c) {
+// Loops over the tables, not a statement for every field: those took 5 kB of a page's library.
+#define STYLET_FIELD_NAME(name, type, count) #name,
+constexpr const char* kStateName[] = {STYLET_STATE_FIELDS(STYLET_FIELD_NAME)};
+#undef STYLET_FIELD_NAME
+
+// Bytes of an element of each field.
+#define STYLET_FIELD_ELEMENT(name, type, count) sizeof(type),
+constexpr std::uint32_t kModelElement[] = {STYLET_MODEL_FIELDS(STYLET_FIELD_ELEMENT)};
+constexpr std::uint32_t kStateElement[] = {STYLET_STATE_FIELDS(STYLET_FIELD_ELEMENT)};
+constexpr std::uint32_t kScratchElement[] = {STYLET_SCRATCH_FIELDS(STYLET_FIELD_ELEMENT)};
+#undef STYLET_FIELD_ELEMENT
+
+// The fields of a block: how many elements each has, and how large they are. In 64 bits, where sums
+// of counts below 2^32 cannot wrap; sizes that no pointer spans are refused.
+template <std::size_t kFields>
+struct Fields {
+  std::uint64_t count[kFields];
+  const std::uint32_t (&element)[kFields];
+};
+#define STYLET_FIELD_COUNT(name, type, count) static_cast<std::uint64_t>(count),
+Fields<kModelFields> model_fields(const Counts& c) {
+  return {{STYLET_MODEL_FIELDS(STYLET_FIELD_COUNT)}, kModelElement};
+}
+Fields<kStateFields> state_fields(const Counts& c) {
+  return {{STYLET_STATE_FIELDS(STYLET_FIELD_COUNT)}, kStateElement};
+}
+Fields<kScratchFields> scratch_fields(const Counts& c) {
+  return {{STYLET_SCRATCH_FIELDS(STYLET_FIELD_COUNT)}, kScratchElement};
+}
+#undef STYLET_FIELD_COUNT
+
+template <std::size_t kFields>
+std::uint64_t bytes_of(const Fields<kFields>& fields) {
   std::uint64_t bytes = 0;
-  STYLET_MODEL_FIELDS(STYLET_FIELD_SIZE)
+  for (std::size_t i = 0; i < kFields; ++i) {
+    bytes += round_block(fields.element[i] * fields.count[i]);
+  }
   return bytes;
 }
-std::uint64_t state_bytes(const Counts& c) {
-  std::uint64_t bytes = 0;
-  STYLET_STATE_FIELDS(STYLET_FIELD_SIZE)
-  return bytes;
+
+// A view begins with the pointers to its fields, in the order of the table.
+static_assert(offsetof(Model, needle_index) == kModelFields * sizeof(std::byte*));
+static_assert(offsetof(State, tip) == kStateFields * sizeof(std::byte*));
+static_assert(sizeof(Scratch) == kScratchFields * sizeof(std::byte*));
+template <typename View, std::size_t kFields>
+View view_in(std::byte* block, const Fields<kFields>& fields) {
+  static_assert(std::is_trivially_copyable_v<View>);
+  View out = {};
+  for (std::size_t i = 0; i < kFields; ++i) {
+    std::memcpy(reinterpret_cast<std::byte*>(&out) + i * sizeof block, &block, sizeof block);
+    block += round_block(fields.element[i] * static_cast<std::size_t>(fields.count[i]));
+  }
+  return out;
 }
-std::uint64_t scratch_bytes(const Counts& c) {
-  std::uint64_t bytes = 0;
-  STYLET_SCRATCH_FIELDS(STYLET_FIELD_SIZE)
-  return bytes;
-}
-#undef STYLET_FIELD_SIZE
 
 }  // namespace
 
 Status block_sizes(const Counts& counts, Sizes& sizes_out) {
-  const std::uint64_t bytes[] = {model_bytes(counts), state_bytes(counts), scratch_bytes(counts)};
+  const std::uint64_t bytes[] = {bytes_of(model_fields(counts)), bytes_of(state_fields(counts)),
+                                 bytes_of(scratch_fields(counts))};
   for (const std::uint64_t block : bytes) {
     if (block > static_cast<std::uint64_t>(PTRDIFF_MAX)) return Status::kOrganTooLarge;
   }
@@ -47,26 +85,17 @@ const Counts& counts_of(const Kernel& kernel) {
   return reinterpret_cast<const ModelHead*>(kernel.model)->counts;
 }
 
-#define STYLET_FIELD_PLACE(name, type, count) \
-  out.name = reinterpret_cast<type*>(block);  \
-  block += round_block(sizeof(type) * static_cast<std::size_t>(count));
 Model model_of(std::byte* block, const Counts& c) {
-  Model out = {};
-  STYLET_MODEL_FIELDS(STYLET_FIELD_PLACE)
-  return out;
+  return view_in<Model>(block, model_fields(c));
 }
 State state_of(std::byte* block, const Counts& c) {
-  State out = {};
-  STYLET_STATE_FIELDS(STYLET_FIELD_PLACE)
+  State out = view_in<State>(block, state_fields(c));
   out.tip = out.shaft + kMaxConstraintParticles;
   return out;
 }
 Scratch scratch_of(std::byte* block, const Counts& c) {
-  Scratch out = {};
-  STYLET_SCRATCH_FIELDS(STYLET_FIELD_PLACE)
-  return out;
+  return view_in<Scratch>(block, scratch_fields(c));
 }
-#undef STYLET_FIELD_PLACE
 
 View view_of(const Kernel& kernel) {
   const Counts& c = counts_of(kernel);
@@ -111,43 +140,33 @@ std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes) {
   return hash;
 }
 
+StateFields fields_of_state(const Counts& counts) {
+  const Fields fields = state_fields(counts);
+  StateFields out = {};
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < kStateFields; ++i) {
+    const std::size_t bytes = fields.element[i], count = static_cast<std::size_t>(fields.count[i]);
+    out[i] = {kStateName[i], at, bytes, count};
+    at += round_block(bytes * count);
+  }
+  return out;
+}
+
 std::uint64_t hash_state(const Kernel& kernel) {
-  const Counts& c = counts_of(kernel);
-  const State view = state_of(kernel.state, c);
   std::uint64_t hash = 0xcbf29ce484222325ULL;
-#define STYLET_FIELD_HASH(name, type, count) \
-  hash = fnv1a(hash, view.name, sizeof(type) * static_cast<std::size_t>(count));
-  STYLET_STATE_FIELDS(STYLET_FIELD_HASH)
-#undef STYLET_FIELD_HASH
+  for (const StateField& field : fields_of_state(counts_of(kernel))) {
+    hash = fnv1a(hash, kernel.state + field.at, field.element_bytes * field.count);
+  }
   return hash;
 }
 
-namespace {
-
-// Of two arrays of as many elements: the first that differs, or `count`. (Called for each field: as
-// a loop in each it took 2 kB of a page's library.)
-std::size_t first_unequal(const void* a, const void* b, std::size_t bytes, std::size_t count) {
-  const auto *p = static_cast<const std::byte*>(a), *q = static_cast<const std::byte*>(b);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (std::memcmp(p + i * bytes, q + i * bytes, bytes) != 0) return i;
-  }
-  return count;
-}
-
-}  // namespace
-
 Difference first_difference(const Kernel& a, const Kernel& b) {
-  const Counts& c = counts_of(a);
-  const State va = state_of(a.state, c);
-  const State vb = state_of(b.state, c);
-#define STYLET_FIELD_COMPARE(name, type, count)                \
-  if (const auto most = static_cast<std::size_t>(count),       \
-      i = first_unequal(va.name, vb.name, sizeof(type), most); \
-      i < most) {                                              \
-    return {#name, i};                                         \
+  for (const StateField& field : fields_of_state(counts_of(a))) {
+    for (std::size_t i = 0; i < field.count; ++i) {
+      const std::size_t at = field.at + i * field.element_bytes;
+      if (std::memcmp(a.state + at, b.state + at, field.element_bytes) != 0) return {field.name, i};
+    }
   }
-  STYLET_STATE_FIELDS(STYLET_FIELD_COMPARE)
-#undef STYLET_FIELD_COMPARE
   return {nullptr, 0};
 }
 

@@ -8,6 +8,7 @@
 // metres.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -302,6 +303,13 @@ struct ScratchHead {
   /* slide_force: N: on particles, x, y and z; coupling/slides */                            \
   F(slide_force, float, 3 * c.slid_particles)
 
+// How many fields each block has.
+#define STYLET_FIELD_ONE(name, type, count) +1
+constexpr std::size_t kModelFields = 0 STYLET_MODEL_FIELDS(STYLET_FIELD_ONE);
+constexpr std::size_t kStateFields = 0 STYLET_STATE_FIELDS(STYLET_FIELD_ONE);
+constexpr std::size_t kScratchFields = 0 STYLET_SCRATCH_FIELDS(STYLET_FIELD_ONE);
+#undef STYLET_FIELD_ONE
+
 // An array of a block, constant where its owner is: a `const State&` can be read, not written.
 template <typename T>
 class Field {
@@ -328,7 +336,7 @@ class Field {
   }
 
  private:
-  T* first_ = nullptr;
+  T* first_;
 };
 
 // A function's signature says what it may write. `const Model&`: derived at creation, constant in a
@@ -388,6 +396,16 @@ View view_of(const Kernel& kernel);
 View needle_view(const View& view, std::uint32_t needle);
 Model needle_model(const Model& model, std::uint32_t needle);
 State needle_state(const State& state, std::uint32_t needle);
+
+// A field of the state: where it lies in the block, and how large it is.
+struct StateField {
+  const char* name;           // in the table
+  std::size_t at;             // bytes from the block's beginning
+  std::size_t element_bytes;  // of one element
+  std::size_t count;          // of elements
+};
+using StateFields = std::array<StateField, kStateFields>;
+StateFields fields_of_state(const Counts& counts);
 
 std::uint64_t fnv1a(std::uint64_t hash, const void* data, std::size_t bytes);
 std::uint64_t hash_state(const Kernel& kernel);

@@ -245,6 +245,12 @@ bool all_sound(const Limits& is, const std::byte* field, std::size_t count) {
   return true;
 }
 
+// The check of each field.
+#define STYLET_FIELD_SOUND(name, type, count) all_sound<type>,
+constexpr bool (*kAllSound[])(const Limits&, const std::byte*,
+                              std::size_t) = {STYLET_STATE_FIELDS(STYLET_FIELD_SOUND)};
+#undef STYLET_FIELD_SOUND
+
 }  // namespace
 
 std::uint64_t config_hash(const Kernel& kernel) {
@@ -266,20 +272,19 @@ SnapshotHeader snapshot_header(const Kernel& kernel, const std::byte* state) {
 bool state_sound(const Kernel& kernel, const std::byte* state) {
   const View view = view_of(kernel);
   const Counts& c = view.model.head->counts;
-  const State& mine = view.state;
   const auto theirs = [&](const auto& field) {
     return state + (reinterpret_cast<const std::byte*>(&field[0]) - kernel.state);
   };
-  const auto head = element<StateHead>(theirs(mine.head), 0);
+  const auto head = element<StateHead>(theirs(view.state.head), 0);
   const Limits is = {view.model, head.latched_fault == 1};
-#define STYLET_FIELD_SOUND(name, type, count) \
-  if (!all_sound<type>(is, theirs(mine.name), static_cast<std::size_t>(count))) return false;
-  STYLET_STATE_FIELDS(STYLET_FIELD_SOUND)
-#undef STYLET_FIELD_SOUND
+  const StateFields fields = fields_of_state(c);
+  for (std::size_t i = 0; i < kStateFields; ++i) {
+    if (!kAllSound[i](is, state + fields[i].at, fields[i].count)) return false;
+  }
   for (std::uint32_t n = 0; n < c.needles; ++n) {
-    const auto own = element<NeedleState>(theirs(mine.needle), n);
+    const auto own = element<NeedleState>(theirs(view.state.needle), n);
     const std::size_t at = std::size_t{n} * kNeedleParticles + kMaxConstraintParticles;
-    const auto tip = element<Particle>(theirs(mine.shaft), at);
+    const auto tip = element<Particle>(theirs(view.state.shaft), at);
     if (own.phase == Phase::kContact && tip.support_count == 0) return false;
     if (own.track_current != kNoTrack && own.track_current >= head.track_count) return false;
   }
