@@ -284,7 +284,8 @@ class Meshes(Case):
         way = "way:{0[0]},{0[1]},{0[2]}:{1[0]},{1[1]},{1[2]}:4:2".format(1e3 * low, 1e3 * high)
         organ = stylet_organ.from_mesh(*self.box(low, high), voxel_edge_m=0.004, refine=way).organ
         cubes, fill = organ.cubes, organ.voxels["fill"]
-        self.assertEqual({round(1e6 * edge) for edge in cubes["edge_m"].tolist()}, {1000, 2000, 4000})
+        edges_um = {round(1e6 * edge) for edge in cubes["edge_m"].tolist()}
+        self.assertEqual(edges_um, {1000, 2000, 4000})
         volume = np.sum(fill.astype(float) * cubes["edge_m"].astype(float) ** 3)
         self.assertAlmostEqual(volume / np.prod(high - low), 1, delta=0.02)
         # Every place in the box lies in one cube, and cubes reach no farther than the box.

@@ -107,6 +107,20 @@ Organ organ_from_bytes(const py::object& bytes) {
   return looked_at(handle);
 }
 
+namespace {
+
+py::object raycast(const Organ& organ, const py::object& origin_m, const py::object& direction) {
+  const auto from = vector_of<3>("origin_m", origin_m);
+  const auto way = vector_of<3>("direction", direction);
+  float distance_m = 0;
+  const int meets = stylet_organ_raycast(organ.handle.get(), {from[0], from[1], from[2]},
+                                         {way[0], way[1], way[2]}, &distance_m);
+  return meets == 1 ? py::object(py::float_(static_cast<double>(distance_m)))
+                    : py::object(py::none());
+}
+
+}  // namespace
+
 void add_organ(py::module_& module) {
   py::class_<Organ> type(module, "Organ");
   refuse_pickle(type,
@@ -156,20 +170,8 @@ void add_organ(py::module_& module) {
                                                           py::dtype::of<std::uint32_t>(), 3,
                                                           stylet_organ_triangles);
                              })
-      .def(
-          "raycast",
-          [](const Organ& organ, const py::object& origin_m,
-             const py::object& direction) -> py::object {
-            const auto from = vector_of<3>("origin_m", origin_m);
-            const auto way = vector_of<3>("direction", direction);
-            float distance_m = 0;
-            const int meets = stylet_organ_raycast(organ.handle.get(), {from[0], from[1], from[2]},
-                                                   {way[0], way[1], way[2]}, &distance_m);
-            return meets == 1 ? py::object(py::float_(static_cast<double>(distance_m)))
-                              : py::object(py::none());
-          },
-          py::arg("origin_m"), py::arg("direction"),
-          "How far the surface at rest is from here, that way; None: it is not there.");
+      .def("raycast", raycast, py::arg("origin_m"), py::arg("direction"),
+           "How far the surface at rest is from here, that way; None: it is not there.");
 }
 
 }  // namespace stylet::python
