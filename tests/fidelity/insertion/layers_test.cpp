@@ -314,8 +314,8 @@ Rig rig_filled(TinyOrgan tiny, float fill, float off) {
 }
 
 // A needle that comes to a capsule meets the capsule, however little of its voxel is full. (Builds
-// know the plane within a voxel to an eighth of an edge. Where a place of the surface lay beyond the
-// plane, and the voxel was less than about a quarter full, the needle met the liver below.)
+// know the plane within a voxel to an eighth of an edge. Where a place of the surface lay beyond
+// the plane, and the voxel was less than about a quarter full, the needle met the liver below.)
 TEST(Layers, ACapsuleIsMetHoweverLittleOfItsVoxelsIsFull) {
   DoubleDraw draw(12);
   for (int i = 0; i < 16; ++i) {
