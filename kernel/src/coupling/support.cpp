@@ -31,7 +31,7 @@ void renew_supports(const Model& model, const State& state, Particle& p, Weighti
   p.support_count = count;
   gather_goals(p, residual_m, spread_m2);
   if (count == 0) return;
-  const std::uint32_t there = material_at(model, p.rest_m);
+  const std::uint32_t there = material_held_at(model, p.rest_m);
   p.material = there != kNoTissue ? there : model.slot_material[p.support[heaviest(p)].slot];
 }
 

@@ -277,6 +277,14 @@ std::uint32_t material_at(const Model& model, Vec3 rest_m) {
   return beyond ? two.material : model.slot_material[slot];
 }
 
+std::uint32_t material_held_at(const Model& model, Vec3 rest_m) {
+  const std::uint32_t there = material_at(model, rest_m);
+  std::uint32_t slot = 0, row = 0;
+  Vec3 part = {};
+  if (there != kNoTissue || !find_voxel(model, rest_m, slot, row, part)) return there;
+  return model.slot_material[slot];
+}
+
 VoxelFrame voxel_frame(const Model& model, const State& state, std::uint32_t slot,
                        std::uint32_t row) {
   const Corners corners = sum_corners(model, state, slot, row);

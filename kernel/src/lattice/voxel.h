@@ -97,5 +97,9 @@ bool inside_lattice(const Model& model, Vec3 rest_m);
 
 // The material at a rest point, finer than voxels (OrganMixed); kNoTissue outside of all tissue.
 std::uint32_t material_at(const Model& model, Vec3 rest_m);
+// The same for a place that tissue holds. If the voxel's plane leaves it outside of all tissue, it
+// is the voxel's own: builds know such a plane to an eighth of an edge, so a place of the surface
+// may lie beyond it.
+std::uint32_t material_held_at(const Model& model, Vec3 rest_m);
 
 }  // namespace stylet

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "draw.h"
 #include "rig.h"
 
 namespace stylet::test {
@@ -289,6 +291,58 @@ TEST(Layers, TissueEndsWithinAVoxel) {
     EXPECT_EQ(held_between(rig, 17e-3F, 38e-3F), 0);
     const double expected = 5 * (17e-3 + static_cast<double>(out.depth_m) - 38e-3);
     EXPECT_NEAR(-static_cast<double>(out.cause.friction_n.x), expected, 0.05 * expected) << unit_m;
+  }
+}
+
+// A block whose face on the low side of x lies within its outermost voxels. Their planes lie `off`
+// edges farther in.
+Rig rig_filled(TinyOrgan tiny, float fill, float off) {
+  tiny.fill_at = [fill](std::uint16_t x, std::uint16_t, std::uint16_t) {
+    return x > 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(std::lround(255 * fill));
+  };
+  tiny.mixed = mixed_planes(tiny, 0, kNoTissue, -1, fill - 1 - off);
+  std::vector<std::byte> bytes = tiny_organ(tiny);
+  const auto face = static_cast<std::uint16_t>(std::lround(65535 * (1 - fill)));
+  for (const format::Vertex* v : *format::GetOrgan(bytes.data())->vertices()) {
+    if (v->voxel() % tiny.nx > 0 || v->fx() > 0) continue;
+    const_cast<format::Vertex&>(*v) = {v->voxel(), face, v->fy(), v->fz(), 0};
+  }
+  auto organ = open_organ(std::move(bytes));
+  const Config config;
+  Session session = make_session(organ->organ, config);
+  return {std::move(organ), std::move(session), config.needle[0].length_m};
+}
+
+// A needle that comes to a capsule meets the capsule, however little of its voxel is full. (Builds
+// know the plane within a voxel to an eighth of an edge. Where a place of the surface lay beyond
+// the plane, and the voxel was less than about a quarter full, the needle met the liver below.)
+TEST(Layers, ACapsuleIsMetHoweverLittleOfItsVoxelsIsFull) {
+  DoubleDraw draw(12);
+  for (int i = 0; i < 16; ++i) {
+    const auto fill = static_cast<float>(draw.between(0.05, 1));
+    TinyOrgan tiny;
+    tiny.nx = 10;
+    tiny.ny = tiny.nz = 12;
+    tiny.fixed_faces = kHighX;
+    TinyMaterial liver;
+    liver.youngs_modulus_pa = 23200;
+    liver.puncture_force_n = liver.cutting_force_n = 0.3F;
+    TinyMaterial capsule = liver;
+    capsule.membrane_n_per_m = 1000;
+    capsule.puncture_force_n = static_cast<float>(draw.between(0.5, 0.9));
+    tiny.materials = {liver, capsule};
+    tiny.material_at = [](std::uint16_t x, std::uint16_t, std::uint16_t) {
+      return static_cast<std::uint8_t>(x == 0 ? 1 : 0);
+    };
+    Rig rig = rig_filled(tiny, fill, static_cast<float>(draw.between(-0.125, 0.125)));
+    const Vec3 start_m = {-1e-3F, static_cast<float>(draw.between(25e-3, 35e-3)),
+                          static_cast<float>(draw.between(25e-3, 35e-3))};
+    drive(rig, start_m, 18e-3F, 10e-3F);
+    const std::vector<Event> punctures = of_kind(rig.kernel(), EventKind::kPuncture);
+    ASSERT_FALSE(punctures.empty()) << "fill " << fill;
+    EXPECT_EQ(punctures[0].layer, 1U) << "fill " << fill;
+    EXPECT_NEAR(static_cast<double>(punctures[0].force_n / capsule.puncture_force_n), 1, 0.02)
+        << "fill " << fill;
   }
 }
 
