@@ -130,9 +130,10 @@ Device open(const std::string& rest, double patience_s) {
   }
   Plumb* const opened = plumb.release();
   if (!opened->relay.measured()) {
+    const std::string refused = opened->link.trouble(opened->link.self);
     close(opened);
-    throw DeviceError(fmt::format("plumb:{}: no sample came in {:g} s: check its power and address",
-                                  rest, patience_s));
+    throw DeviceError(fmt::format("plumb:{}: no sample came in {:g} s: {}", rest, patience_s,
+                                  refused.empty() ? "check its power and address" : refused));
   }
   return relayed(opened, opened->info, close, trouble);
 }

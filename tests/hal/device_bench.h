@@ -47,6 +47,7 @@ class Bench {
   virtual void hang(test::Hang /*call*/) {}
   AxisSet places;       // along which it measures its position; along the others it gives a speed
   AxisSet feels;        // along which it renders force
+  float step_n = 0;     // its forces are multiples of this along each axis; 0: any force
   float push_n = 2;     // how hard the checks push; the device's largest force is not below it
   bool presses = true;  // has buttons
   bool fails = true;    // may stop answering; otherwise silence means rest

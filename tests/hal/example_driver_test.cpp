@@ -2,6 +2,8 @@
 // The driver that hal/device/own_driver.md tells people to copy, in a process in virtual time: it
 // keeps the rules of a device of force in a network. Its stand-in is a device that keeps its own
 // rule: it ends each force 20 ms after it took the sample that the force answers.
+#include "hal/device/example_driver.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +19,6 @@
 
 #include "device_bench.h"
 #include "hal/device/link.h"
-#include "hal/device/example_driver.h"
 #include "virtual_process.h"
 
 namespace stylet::hal {
@@ -206,6 +207,7 @@ TEST_F(ExampleDriver, SaysWhatIsWrongWhenItCannotBeOpened) {
   EXPECT_EQ(refusal(device.uri()),
             "plumb:" + device.uri() + ": no sample came in 0.2 s: check its power and address");
   EXPECT_THAT(refusal("here"), testing::HasSubstr("plumb:here: expected ADDRESS:PORT"));
+  EXPECT_THAT(refusal("127.0.0.1:1"), testing::HasSubstr("no program listens there"));
 }
 
 }  // namespace

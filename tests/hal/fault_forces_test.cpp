@@ -169,7 +169,7 @@ const Cause kCauses[] = {
      .begin = [](Chain& chain) { chain.bench->hang(test::Hang::kWrite); },
      .fits =
          [](const Backend& backend) {
-           return has_vendor(backend) && backend.motors != Motors::kService;
+           return has_vendor(backend) && backend.motors != Motors::kService && backend.may_hang;
          }},
     {.what = "the loop loses 8 of every 11 ticks",
      .tick =

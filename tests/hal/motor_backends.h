@@ -28,6 +28,7 @@ struct Backend {
   bool may_refuse_watchdog = false;                 // of a library: some devices have no watchdog
   const char* uri = nullptr;                        // of a peer, without the port
   Link (*link)(const std::string& port) = nullptr;  // the peer's end of the link
+  bool may_hang = true;                             // of a library: a call of it may not return
 };
 inline Link by_network(const std::string& port) {
   return udp_connect("127.0.0.1:" + port);
