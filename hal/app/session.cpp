@@ -449,7 +449,7 @@ Resonance resonance_of(const Session& s) try {
   return first_resonance(s.instance->kernel);
 } catch (const std::bad_alloc&) {
   (void)std::fputs("stylet: the first resonance is not reported: not enough memory\n", stderr);
-  return {NAN, NAN, NAN};
+  return {std::nan(""), std::nan(""), std::nan("")};
 }
 
 bool tell_of_trouble(const Session& s, const Attempt& a) {

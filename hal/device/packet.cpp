@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "hal/base/crc32.h"
 #include "hal/base/vector.h"
 #include "hal/device/motor.h"
 
@@ -44,18 +45,6 @@ void fields(ForcePacket& p, Visit&& visit) {
 static_assert(sizeof(Pose) == 28 && sizeof(RenderLimits) == 16 && sizeof(ForceModel) == 80,
               "no padding in a packet");
 
-// CRC-32 as in zlib, gzip and PNG (ISO 3309), lowest bit first; written here so that the loop's
-// library needs no other library for 108 bytes.
-std::uint32_t checksum(std::span<const std::byte> bytes) {
-  constexpr std::uint32_t kPolynomial = 0xedb88320;
-  std::uint32_t crc = ~0U;
-  for (const std::byte each : bytes) {
-    crc ^= std::to_integer<std::uint32_t>(each);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? kPolynomial : 0);
-  }
-  return ~crc;
-}
-
 template <std::size_t kBytes, typename Packet>
 std::array<std::byte, kBytes> encoded(Packet packet, const std::array<char, 4>& magic) {
   std::array<std::byte, kBytes> bytes = {};
@@ -68,7 +57,7 @@ std::array<std::byte, kBytes> encoded(Packet packet, const std::array<char, 4>& 
   put(kPacketVersion);
   put(static_cast<std::uint16_t>(kBytes));
   fields(packet, put);
-  put(checksum(std::span(bytes).first(kBytes - kCrcBytes)));
+  put(crc32_of(std::span(bytes).first(kBytes - kCrcBytes)));
   return bytes;
 }
 
@@ -90,7 +79,7 @@ bool decoded(std::span<const std::byte> bytes, const std::array<char, 4>& magic,
   fields(packet, get);
   std::uint32_t crc = 0;
   get(crc);
-  if (crc != checksum(bytes.first(kBytes - kCrcBytes))) return false;
+  if (crc != crc32_of(bytes.first(kBytes - kCrcBytes))) return false;
   out = packet;
   return true;
 }

@@ -75,6 +75,7 @@ void run_phantom(PhantomArguments a) {
   if (!a.mesh_out.empty()) outputs.add(a.mesh_out, off);
   std::vector<Input> inputs = {std::move(input)};
   choose_capsule(a, {inputs.front().tissue}, options);
+  settle_places({inputs.front().tissue}, options);
   finish([&](const BuildOptions& o, const Progress& p) { return build(std::move(inputs), o, p); },
          options, a, outputs);
 }

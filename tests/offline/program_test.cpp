@@ -216,6 +216,13 @@ TEST(Program, PhantomsOfAllKinds) {
   }
 }
 
+TEST(Program, APhantomsFileSaysWhereItIsFiner) {
+  const Scratch scratch;
+  const std::string organ = (scratch.folder / "a.organ").string();
+  ASSERT_EQ(run({"phantom", "ball", "--refine", "surface:1", "-o", organ}).exit_code, 0);
+  EXPECT_NE(run({"info", organ}).out.find("--refine surface:1"), std::string::npos);
+}
+
 TEST(Program, SameCommandSameBytes) {
   const Scratch scratch;
   const auto one = scratch.folder / "one.organ", two = scratch.folder / "two.organ";
@@ -235,6 +242,8 @@ TEST(Program, WrongUsageExitsWithTwoARefusalWithOne) {
   EXPECT_NE(run({"build", "--help"}).out.find("Examples"), std::string::npos);
   const std::vector<std::vector<std::string>> refused{
       {"phantom", "ball", "--tissue", "cheese", "-o", organ},
+      {"phantom", "ball", "--refine", "labels:bone", "-o", organ},
+      {"phantom", "ball", "--slide", "bone:gel", "-o", organ},
       {"phantom", "ball", "--fix", "x>", "-o", organ},
       {"phantom", "ball", "--fix", "x>1e999", "-o", organ},
       {"phantom", "ball", "--fix", "x=10", "-o", organ},

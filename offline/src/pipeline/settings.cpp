@@ -75,14 +75,6 @@ std::string units_text(const Settings& s, const std::vector<Input>& inputs) {
   return std::ranges::any_of(inputs, says) ? "" : " --units mm";
 }
 
-// `tissues` are those of the inputs.
-void settle_refinements(const std::vector<std::string>& tissues, BuildOptions& options) {
-  check_refinements(options, tissues);
-  for (const Refinement& each : options.refinements) {
-    options.options_text += " --refine " + text_of(each);
-  }
-}
-
 // Refused with the name of the recipe, which names the tissue.
 std::string tissue_of_recipe(const BuildOptions& options, const LabelSource& source,
                              const std::string& name) try {
@@ -92,6 +84,14 @@ std::string tissue_of_recipe(const BuildOptions& options, const LabelSource& sou
 }
 
 }  // namespace
+
+void settle_places(const std::vector<std::string>& tissues, BuildOptions& options) {
+  check_slides(options, tissues);
+  check_refinements(options, tissues);
+  for (const Refinement& each : options.refinements) {
+    options.options_text += " --refine " + text_of(each);
+  }
+}
 
 const char* tool_version() {
   return "stylet-organ " STYLET_VERSION;
@@ -194,8 +194,7 @@ void choose_for_labels(const Settings& s, const LabelSource& source, const Recip
   std::ranges::copy(recipe.slides, std::back_inserter(options.slides));
   std::ranges::copy(recipe.refinements, std::back_inserter(options.refinements));
   for (const WallLayer& layer : recipe.wall) tissues.push_back(layer.tissue);
-  check_slides(options, tissues);
-  settle_refinements(tissues, options);
+  settle_places(tissues, options);
 }
 
 void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, BuildOptions& options) {
@@ -209,8 +208,7 @@ void choose_for_meshes(const Settings& s, const std::vector<Input>& inputs, Buil
   choose_gaps(s, options);
   choose_layers(s, tissues, options);
   choose_capsule(s, tissues, options);
-  check_slides(options, tissues);
-  settle_refinements(tissues, options);
+  settle_places(tissues, options);
 }
 
 }  // namespace stylet::offline

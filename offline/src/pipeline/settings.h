@@ -71,4 +71,8 @@ void choose_for_labels(const Settings& settings, const LabelSource& source, cons
 void choose_for_meshes(const Settings& settings, const std::vector<Input>& inputs,
                        BuildOptions& options);
 
+// After all else: refuses where tissues slide or voxels are finer, if it cannot be meant; and notes
+// the latter in the file's provenance. `tissues` are those of the inputs.
+void settle_places(const std::vector<std::string>& tissues, BuildOptions& options);
+
 }  // namespace stylet::offline
