@@ -63,7 +63,7 @@ async function with_a_mouse() {
     seen.force = Math.hypot(...Object.values((await until(page, ({ tick }) =>
       tick > inside.tick + 50)).force));
   }
-  await page.getByRole("button", { name: "Compute it here, too" }).click();
+  await page.getByRole("button", { name: "Compute it here as well" }).click();
   await page.waitForSelector(".proof .same, .proof .other", { timeout: 120000 });
   seen.same = await page.locator(".proof .same").count();
   await page.context().close();
