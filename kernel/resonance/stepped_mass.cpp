@@ -8,7 +8,7 @@
 namespace stylet {
 namespace {
 
-// A coordinate's three shapes for each node of the cascade, or for each place of level 0.
+// The motion of each particle, node of the cascade or place of level 0, a column for each shape.
 using Motions = std::vector<Eigen::Matrix3d>;
 
 // For each coordinate of the particles 1 / mass in the step, which is 0 for attached particles; and
@@ -34,31 +34,6 @@ double bound_of(const Voxel& voxel) {
   return voxel.k_n_per_m * (1 + 3 * voxel.volume_ratio);
 }
 
-// The filter of true mass, p(S) (filter.h).
-Shapes filtered(const Model& model, const std::vector<Voxel>& voxels, const Eigen::VectorXd& per_kg,
-                const Shapes& shapes) {
-  const Filter& filter = model.head->filter;
-  Shapes last = shapes, before = shapes;
-  for (std::uint32_t j = 0; j < filter.passes; ++j) {
-    Shapes pull = Shapes::Zero(shapes.rows(), 3);
-    for (const Voxel& voxel : voxels) {
-      Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
-      for (const std::uint32_t p : voxel.corner) mean += last.middleRows<3>(dof(p, 0)) / 8;
-      for (const std::uint32_t p : voxel.corner) {
-        pull.middleRows<3>(dof(p, 0)) += bound_of(voxel) * (last.middleRows<3>(dof(p, 0)) - mean);
-      }
-    }
-    const FilterPass& pass = filter.pass[j];
-    const Shapes next = static_cast<double>(pass.last) * last +
-                        static_cast<double>(pass.first) * shapes +
-                        static_cast<double>(pass.before) * before -
-                        static_cast<double>(pass.bound_s2) * (per_kg.asDiagonal() * pull);
-    before = last;
-    last = next;
-  }
-  return last;
-}
-
 void take(const HangingShare* share, const HangingShare* end, Motions& all) {
   while (share != end) {
     const HangingShare* const behind = share + share->count;
@@ -74,7 +49,8 @@ double own_mobility(const Model& model, std::uint32_t node, float limit_per_s2) 
                                       limit_per_s2 / std::max(model.cascade_bound[node], 1e-20F)));
 }
 
-// Level 0 of the cascade: its particles, and then its shadows.
+// What the passes of true mass filter: all particles of a lattice of one level; of a graded one
+// those of level 0, and then its shadows.
 struct CoarseLevel {
   struct Cell {
     std::array<std::uint32_t, 8> place;
@@ -84,19 +60,24 @@ struct CoarseLevel {
   std::vector<Cell> cells;                    // and shadow cells
 };
 
-// Where a node of the cascade is in it: one of the border, or a shadow of level 0.
+// Where a node of the cascade is in it, one of the border or a shadow of level 0.
 std::uint32_t place_of(const Model& model, std::uint32_t node) {
   const Shadows& g = model.head->shadows;
   return node < g.border_end ? model.border[node - g.border_begin]
                              : g.first_particle + node - g.border_end;
 }
 
+std::uint32_t coarse_particles(const Model& model) {
+  return is_graded(model) ? model.head->shadows.first_particle : model.head->counts.particles;
+}
+
 CoarseLevel coarse_level(const Model& model, const std::vector<Voxel>& voxels,
                          const Eigen::VectorXd& per_kg) {
-  const Shadows& g = model.head->shadows;
-  const std::uint32_t count = g.first_particle + g.shadow_begin[1] - g.border_end;
+  const Shadows& g = model.head->shadows;  // empty if there is one level
+  const std::uint32_t particles = coarse_particles(model);
+  const std::uint32_t count = particles + g.shadow_begin[1] - g.border_end;
   CoarseLevel out = {std::vector<double>(count), std::vector<double>(count), {}};
-  for (std::uint32_t p = 0; p < g.first_particle; ++p) out.per_kg[p] = per_kg[dof(p, 0)];
+  for (std::uint32_t p = 0; p < particles; ++p) out.per_kg[p] = per_kg[dof(p, 0)];
   for (const Voxel& voxel : voxels) {
     if (voxel.edge != coarsest_edge(model)) continue;
     out.cells.push_back({voxel.corner, bound_of(voxel)});
@@ -115,6 +96,7 @@ CoarseLevel coarse_level(const Model& model, const std::vector<Voxel>& voxels,
   return out;
 }
 
+// The filter of true mass, p(S) (filter.h).
 Motions filtered(const Filter& filter, const CoarseLevel& level, const Motions& start) {
   const std::size_t count = level.per_kg.size();
   Motions last = start, before = start;
@@ -140,9 +122,10 @@ Motions filtered(const Filter& filter, const CoarseLevel& level, const Motions& 
   return last;
 }
 
-// The velocities that the cascade gives to momenta kg times shapes.
-Shapes cascaded(const Model& model, const CoarseLevel& coarse, const Eigen::VectorXd& kg,
-                const Shapes& shapes) {
+// The velocities that the step gives to momenta kg times shapes: through the cascade, which is
+// empty if there is one level.
+Shapes stepped(const Model& model, const CoarseLevel& coarse, const Eigen::VectorXd& kg,
+               const Shapes& shapes) {
   const Shadows& g = model.head->shadows;
   const auto of = [&](std::uint32_t p) { return shapes.middleRows<3>(dof(p, 0)); };
   Motions all(model.head->counts.cascade, Eigen::Matrix3d::Zero());
@@ -160,7 +143,8 @@ Shapes cascaded(const Model& model, const CoarseLevel& coarse, const Eigen::Vect
     }
   }
   Motions start(coarse.per_kg.size());
-  for (std::uint32_t p = 0; p < g.first_particle; ++p) start[p] = of(p);
+  const std::uint32_t particles = coarse_particles(model);
+  for (std::uint32_t p = 0; p < particles; ++p) start[p] = of(p);
   for (std::uint32_t node = g.border_begin; node < g.shadow_begin[1]; ++node) {
     start[place_of(model, node)] = coarse.per_kg[place_of(model, node)] * all[node];
   }
@@ -173,7 +157,7 @@ Shapes cascaded(const Model& model, const CoarseLevel& coarse, const Eigen::Vect
   }
   Shapes out(shapes.rows(), 3);
   for (std::uint32_t p = 0; p < model.head->counts.particles; ++p) {
-    out.middleRows<3>(dof(p, 0)) = p < g.first_particle ? last[p] : all[p - g.first_particle];
+    out.middleRows<3>(dof(p, 0)) = p < particles ? last[p] : all[p - particles];
   }
   return out;
 }
@@ -211,13 +195,10 @@ Shapes mass_of(const Eigen::VectorXd& kg, const Shapes& shapes, Operator moved) 
 Shapes stepped_mass(const Model& model, const std::vector<Voxel>& voxels, const Shapes& shapes) {
   const Eigen::VectorXd per_kg = per_stepped_kg(model);
   const Eigen::VectorXd kg = stepped_kg(model, per_kg);
-  if (!has_true_mass(model)) return kg.asDiagonal() * shapes;
-  if (!is_graded(model)) {
-    return mass_of(kg, shapes, [&](const Shapes& s) { return filtered(model, voxels, per_kg, s); });
-  }
-  if (model.head->shadows.on == 0) return kg.asDiagonal() * shapes;
+  const bool unfiltered = is_graded(model) && model.head->shadows.on == 0;
+  if (!has_true_mass(model) || unfiltered) return kg.asDiagonal() * shapes;
   const CoarseLevel coarse = coarse_level(model, voxels, per_kg);
-  return mass_of(kg, shapes, [&](const Shapes& s) { return cascaded(model, coarse, kg, s); });
+  return mass_of(kg, shapes, [&](const Shapes& s) { return stepped(model, coarse, kg, s); });
 }
 
 }  // namespace stylet

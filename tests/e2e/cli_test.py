@@ -139,6 +139,15 @@ class Insertion(Folder):
     def test_openhelp_paper(self):
         self.check(self.make_openhelp(), "paper")
 
+    def test_edges_and_unit_are_those_of_all_levels(self):
+        organ = self.top / "fine.organ"
+        call("stylet-organ", "phantom", "liver", "--voxel-mm", "8", "--refine", "surface:2", "-o",
+             organ)
+        said = call("stylet", "run", SCENE, "--organ", organ, "--fast", "--force",
+                    "--duration-s", "0.01").stdout
+        self.assertIn("voxels of 8 to 2 mm", said)
+        self.assertRegex(said, "the needle's unit is 2.5 voxels long.*a unit of at most 2 mm")
+
 
 class Recording(Folder):
     @classmethod

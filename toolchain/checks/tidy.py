@@ -19,8 +19,7 @@ FILE_LINES = 500  # for what is built; tests may have long tables of cases
 # Files that were longer when the check came to them, with their lengths then: they may shrink.
 LONG_FILES = {
     "hal/console/page/src/app.css": 581,
-    "hal/hosts/browser/package/index.mjs": 591,
-    "hal/hosts/c/include/stylet/stylet.h": 508,
+    "hal/hosts/browser/package/index.mjs": 569,
     "toolchain/checks/self_test.py": 700,
 }
 PYTHON = "#!/usr/bin/python3"  # Debian's, whichever comes first in PATH

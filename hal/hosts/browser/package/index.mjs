@@ -338,6 +338,14 @@ export class Stylet {
   }
 }
 
+// What a function of the library, by its name, copies out of an organ or a simulation.
+const numbers_from = ({ library, handle }, Numbers, each, name) =>
+  library.numbers(Numbers, each, (at, most) => library.exports[name](handle.at, at, most));
+const structs_from = ({ library, handle }, struct, name, most) =>
+  library.list(struct, (at, room) => library.exports[name](handle.at, at, room), most);
+const struct_from = ({ library, handle }, struct, name) =>
+  library.filled(struct, (at) => library.exports[name](handle.at, at));
+
 /** Made by Stylet.organ. */
 export class Organ {
   constructor(library, handle) {
@@ -346,9 +354,7 @@ export class Organ {
   }
 
   get info() {
-    const { library } = this;
-    return library.filled("stylet_organ_info",
-      (at) => library.exports.stylet_organ_get_info(this.handle.at, at));
+    return struct_from(this, "stylet_organ_info", "stylet_organ_get_info");
   }
 
   material(index) {
@@ -358,28 +364,24 @@ export class Organ {
   }
 
   get triangles() {
-    return this.#numbers(Uint32Array, 3, "stylet_organ_triangles");
+    return numbers_from(this, Uint32Array, 3, "stylet_organ_triangles");
   }
 
   get vertices() {
-    return this.#numbers(Float32Array, 3, "stylet_organ_vertices");
+    return numbers_from(this, Float32Array, 3, "stylet_organ_vertices");
   }
 
   get vertex_materials() {
-    return this.#numbers(Uint8Array, 1, "stylet_organ_vertex_materials");
+    return numbers_from(this, Uint8Array, 1, "stylet_organ_vertex_materials");
   }
 
   get voxels() {
-    const { library } = this;
-    return library.list("stylet_voxel",
-      (at, most) => library.exports.stylet_organ_voxels(this.handle.at, at, most));
+    return structs_from(this, "stylet_voxel", "stylet_organ_voxels");
   }
 
   /** The space that each voxel takes up at rest. */
   get cubes() {
-    const { library } = this;
-    return library.list("stylet_cube",
-      (at, most) => library.exports.stylet_organ_cubes(this.handle.at, at, most));
+    return structs_from(this, "stylet_cube", "stylet_organ_cubes");
   }
 
   /** Distance along a ray to the surface at rest; null: the ray does not meet it. */
@@ -397,12 +399,6 @@ export class Organ {
   /** Simulations that were made from it stay valid. */
   free() {
     this.handle.release((at) => this.library.exports.stylet_organ_free(at));
-  }
-
-  #numbers(Numbers, each, name) {
-    const { library } = this;
-    return library.numbers(Numbers, each,
-      (at, most) => library.exports[name](this.handle.at, at, most));
   }
 }
 
@@ -462,7 +458,7 @@ export class Simulation {
 
   /** The deformed surface: a place for each vertex of the organ. */
   surface() {
-    return this.#numbers("stylet_simulation_surface");
+    return numbers_from(this, Float32Array, 3, "stylet_simulation_surface");
   }
 
   /** A needle from handle to tip. */
@@ -474,35 +470,34 @@ export class Simulation {
 
   /** The displacement of each particle of the lattice from its place at rest. */
   particles() {
-    return this.#numbers("stylet_simulation_particles");
+    return numbers_from(this, Float32Array, 3, "stylet_simulation_particles");
   }
 
   /** Eight particles for each voxel of the organ. */
   voxel_corners() {
-    const { library } = this;
-    return library.numbers(Uint32Array, 1, (at, most) =>
-      library.exports.stylet_simulation_voxel_corners(this.handle.at, at, most));
+    return numbers_from(this, Uint32Array, 1, "stylet_simulation_voxel_corners");
   }
 
   constraint_particles() {
-    return this.#list("stylet_constraint_particle", "stylet_simulation_constraint_particles");
+    return structs_from(this, "stylet_constraint_particle",
+      "stylet_simulation_constraint_particles");
   }
 
   obstacle_touches() {
-    return this.#list("stylet_obstacle_touch", "stylet_simulation_obstacle_touches");
+    return structs_from(this, "stylet_obstacle_touch", "stylet_simulation_obstacle_touches");
   }
 
   /** The newest events, oldest first. */
   events() {
-    return this.#list("stylet_event", "stylet_simulation_events", constants.MAX_EVENTS);
+    return structs_from(this, "stylet_event", "stylet_simulation_events", constants.MAX_EVENTS);
   }
 
   stats() {
-    return this.#filled("stylet_stats", "stylet_simulation_get_stats");
+    return struct_from(this, "stylet_stats", "stylet_simulation_get_stats");
   }
 
   energy() {
-    return this.#filled("stylet_energy", "stylet_simulation_get_energy");
+    return struct_from(this, "stylet_energy", "stylet_simulation_get_energy");
   }
 
   /** The mass of a material, and the mass that the step computes with, in kg. */
@@ -570,22 +565,5 @@ export class Simulation {
       memory.write("stylet_input", place,
         pose ? { valid: 1, handle: pose } : { valid: 0 }, `input ${i}`);
     }
-  }
-
-  #numbers(name) {
-    const { library } = this;
-    return library.numbers(Float32Array, 3,
-      (at, most) => library.exports[name](this.handle.at, at, most));
-  }
-
-  #list(struct, name, most) {
-    const { library } = this;
-    return library.list(struct, (at, room) => library.exports[name](this.handle.at, at, room),
-      most);
-  }
-
-  #filled(struct, name) {
-    const { library } = this;
-    return library.filled(struct, (at) => library.exports[name](this.handle.at, at));
   }
 }

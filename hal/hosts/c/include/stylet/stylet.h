@@ -37,14 +37,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#ifdef _WIN32
-#ifdef STYLET_BUILDS_LIBRARY
+#ifndef _WIN32
+#define STYLET_API __attribute__((visibility("default")))
+#elif defined(STYLET_BUILDS_LIBRARY)
 #define STYLET_API __declspec(dllexport)
 #else
 #define STYLET_API __declspec(dllimport)
-#endif
-#else
-#define STYLET_API __attribute__((visibility("default")))
 #endif
 
 #ifdef __cplusplus
@@ -64,8 +62,7 @@ STYLET_API const char* stylet_build_text(void);
 /* A library reads the snapshots of every library with the same number. */
 STYLET_API uint64_t stylet_state_layout(void);
 
-/* ==== Status, limits and other numbers ======================================================= */
-/* Numbers never change meaning. */
+/* ==== Status, limits and other numbers, which never change meaning =========================== */
 typedef uint16_t stylet_status;
 enum {
   STYLET_OK = 0,
@@ -195,12 +192,11 @@ typedef struct {
 } stylet_voxel;
 STYLET_API uint32_t stylet_organ_voxels(const stylet_organ* organ, stylet_voxel* out,
                                         uint32_t capacity);
-/* The space that a voxel takes up at rest, whatever its level. */
+/* The space that a voxel takes up at rest, whatever its level; one for each, in the same order. */
 typedef struct {
   stylet_vec3 low_m; /* its corner with the least x, y and z */
   float edge_m;
 } stylet_cube;
-/* One for each voxel, in the same order. */
 STYLET_API uint32_t stylet_organ_cubes(const stylet_organ* organ, stylet_cube* out,
                                        uint32_t capacity);
 /* Corners of the surface's triangles, three a triangle, counter-clockwise seen from outside.
@@ -376,7 +372,6 @@ STYLET_API stylet_status stylet_simulation_run(stylet_simulation* simulation,
 STYLET_API stylet_pose stylet_pose_of_tip(stylet_vec3 tip_m, stylet_vec3 direction, float length_m);
 
 /* ---- its state, to be shown */
-
 STYLET_API uint32_t stylet_simulation_needles(const stylet_simulation* simulation);
 /* The deformed surface: one position for each vertex of the organ. */
 STYLET_API uint32_t stylet_simulation_surface(const stylet_simulation* simulation, stylet_vec3* out,
@@ -432,7 +427,6 @@ STYLET_API uint32_t stylet_simulation_events(const stylet_simulation* simulation
                                              uint32_t capacity);
 
 /* ---- its counters, energy and mass */
-
 typedef struct {
   uint32_t used, used_max, capacity;
 } stylet_pool;
@@ -466,7 +460,6 @@ STYLET_API stylet_status stylet_simulation_get_mass(const stylet_simulation* sim
                                                     float* stepped_out_kg);
 
 /* ---- to save, restore and compare it */
-
 STYLET_API uint64_t stylet_simulation_hash(const stylet_simulation* simulation);
 STYLET_API size_t stylet_simulation_snapshot_bytes(const stylet_simulation* simulation);
 STYLET_API stylet_status stylet_simulation_snapshot(const stylet_simulation* simulation, void* out,
@@ -480,7 +473,6 @@ STYLET_API const char* stylet_simulation_difference(const stylet_simulation* a,
                                                     uint64_t* index_out);
 
 /* ---- threads of the host that take part in the tissue step */
-
 /* How many threads call help; 0: none may. Not while one is in it. Bits do not depend on it. */
 STYLET_API stylet_status stylet_simulation_set_helpers(stylet_simulation* simulation,
                                                        uint32_t helpers);
