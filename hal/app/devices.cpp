@@ -149,6 +149,28 @@ void serve(const StationOptions& options, const hal::StationConfig& config,
 
 }  // namespace
 
+namespace {
+
+// For people and for programs.
+struct PresenceText {
+  const char* word;
+  Json ready;  // null: unknown
+};
+
+PresenceText text_of(hal::Presence presence) {
+  switch (presence) {
+    case hal::Presence::kReady:
+      return {"ready", true};
+    case hal::Presence::kUnknown:
+      return {"unknown", nullptr};
+    case hal::Presence::kMissing:
+      break;
+  }
+  return {"no", false};
+}
+
+}  // namespace
+
 int list_devices(const DevicesOptions& options) {
   const std::vector<hal::DeviceSighting> all = hal::search_devices(options.root);
   if (options.json) {
@@ -156,7 +178,7 @@ int list_devices(const DevicesOptions& options) {
     for (const hal::DeviceSighting& each : all) {
       out.push_back({{"uri", each.uri},
                      {"name", each.name},
-                     {"ready", each.ready},
+                     {"ready", text_of(each.presence).ready},
                      {"seen", each.seen},
                      {"remedy", each.remedy}});
     }
@@ -166,13 +188,13 @@ int list_devices(const DevicesOptions& options) {
   std::size_t width = 0;
   for (const hal::DeviceSighting& each : all) width = std::max(width, each.uri.size());
   for (const hal::DeviceSighting& each : all) {
-    fmt::print("{:<{}} {:<6}{}: {}\n", each.uri, width, each.ready ? "ready" : "no", each.name,
+    fmt::print("{:<{}} {:<8}{}: {}\n", each.uri, width, text_of(each.presence).word, each.name,
                each.seen);
-    if (!each.remedy.empty()) fmt::print("{:>{}}{}\n", "-> ", width + 11, each.remedy);
+    if (!each.remedy.empty()) fmt::print("{:>{}}{}\n", "-> ", width + 13, each.remedy);
   }
   fmt::print(
-      "\nSome things show only when a device is opened, such as its calibration: stylet devices "
-      "probe URI\n");
+      "\nSome things show only when a device is opened, such as its calibration, or whether a "
+      "program sends: stylet devices probe URI\n");
   return kExitOk;
 }
 

@@ -248,7 +248,10 @@ void add_doctor(CLI::App& program, DoctorOptions& options) {
 CLI::App& add_devices(CLI::App& program, DevicesOptions& options, ProbeOptions& probed) {
   CLI::App& devices = *program.add_subcommand(
       "devices", "List which devices are ready here, and what is missing for the others");
-  devices.footer("Examples:\n  stylet devices\n  stylet devices probe hd: --push -o touch.json");
+  devices.footer(
+      "Examples:\n  stylet devices\n  stylet devices probe hd: --push -o touch.json\n"
+      "A device is \"unknown\" (with --json: ready is null) if it shows itself only when it is\n"
+      "opened, as a program in a network does: stylet devices probe URI waits up to 10 s for it.");
   add_json(devices, options.json, "one JSON array");
   devices
       .add_option(

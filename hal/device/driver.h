@@ -44,7 +44,7 @@ struct DriverDescriptor {
   // `rest`: the part of the URI after the colon. Waits up to `patience_s` for the device; throws a
   // DeviceError of one line that says what to do.
   Device (*open)(const std::string& rest, double patience_s);
-  // Says what is here or missing (seen), the remedy, and whether it is ready; opens nothing.
+  // Says whether it is here (presence), what was seen or is missing, and the remedy; opens nothing.
   void (*search)(const HostTree& tree, DeviceSighting& out);
   // Whether a device that has failed for good may be closed and opened again now; null: it recovers
   // by itself.

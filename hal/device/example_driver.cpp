@@ -138,10 +138,9 @@ Device open(const std::string& rest, double patience_s) {
   return relayed(opened, opened->info, close, trouble);
 }
 
-// A device in a network shows itself only when it is opened.
 void search(const HostTree&, DeviceSighting& out) {
-  out.ready = true;
-  out.seen = "answers when it is opened";
+  out.presence = Presence::kUnknown;
+  out.seen = "shows itself only when it is opened";
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ std::vector<DeviceSighting> search_devices(const std::string& root) {
   const HostTree tree = {root == "/" ? "" : root};
   std::vector<DeviceSighting> all;
   for (const DriverDescriptor* each : drivers()) {
-    DeviceSighting& one = all.emplace_back(DeviceSighting{each->uri, each->name, false, "", ""});
+    DeviceSighting& one =
+        all.emplace_back(DeviceSighting{each->uri, each->name, Presence::kMissing, "", ""});
     each->search(tree, one);
   }
   return all;

@@ -532,7 +532,15 @@ class Devices(Folder):
         known = {"hd:", "dhd:", "haply:", "spacemouse:", "pointer:", "udp:7755", "shm:NAME"}
         self.assertLessEqual(known, {kind["uri"] for kind in kinds})
         for kind in kinds:
-            self.assertEqual(kind["ready"], not kind["remedy"], kind)
+            self.assertEqual(kind["ready"] is False, bool(kind["remedy"]), kind)
+
+    def test_a_device_in_a_network_is_not_ready_before_anybody_has_looked(self):
+        kinds = {kind["uri"]: kind for kind in
+                 json.loads(call("stylet", "devices", "--json").stdout)}
+        self.assertIsNone(kinds["udp:7755"]["ready"])
+        self.assertIsNone(kinds["shm:NAME"]["ready"])
+        self.assertRegex(call("stylet", "devices").stdout,
+                         r"udp:7755 +unknown +.*: shows itself only when it is opened\n")
 
     def test_usb_device_without_its_library_is_seen(self):
         usb = self.top / "tree/sys/bus/usb/devices/1-2"

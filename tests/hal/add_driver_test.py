@@ -41,7 +41,7 @@ Device open(const std::string&, double) {
           read, write, close};
 }
 void search(const HostTree&, DeviceSighting& out) {
-  out.ready = true;
+  out.presence = Presence::kReady;
   out.seen = "on the table";
 }
 

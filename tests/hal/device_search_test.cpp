@@ -61,38 +61,50 @@ class DeviceSearch : public testing::Test {
 
 TEST_F(DeviceSearch, NothingOnUsb) {
   fs::create_directories(root);
-  EXPECT_TRUE(seen("hd:").ready);  // older ones are not on USB
+  EXPECT_EQ(seen("hd:").presence, Presence::kUnknown);  // older ones are not on USB
   EXPECT_TRUE(says(seen("hd:").seen, "none on USB"));
-  EXPECT_FALSE(seen("dhd:").ready);
+  EXPECT_EQ(seen("dhd:").presence, Presence::kMissing);
   EXPECT_EQ(seen("dhd:").remedy, "check cable and power");
   EXPECT_TRUE(says(seen("spacemouse:").seen, "no socket /run/spnav.sock"));
   EXPECT_TRUE(says(seen("spacemouse:").remedy, "apt install spacenavd"));
 }
 
+// What nobody has seen is neither ready nor missing, and needs no remedy.
+TEST_F(DeviceSearch, WhatOnlyOpeningCanShowIsUnknown) {
+  write("/run/spnav.sock", "");  // its daemon runs without a SpaceMouse as well
+  for (const char* uri : {"udp:7755", "shm:NAME", "spacemouse:"}) {
+    const DeviceSighting one = seen(uri);
+    EXPECT_EQ(one.presence, Presence::kUnknown) << uri;
+    EXPECT_EQ(one.remedy, "") << uri;
+  }
+  EXPECT_EQ(seen("udp:7755").seen, "shows itself only when it is opened");
+  EXPECT_TRUE(says(seen("spacemouse:").seen, "none on USB"));
+}
+
 TEST_F(DeviceSearch, EachIsFoundByItsUsbNumbers) {
   plug("3-1", "0403", "cb48");
-  EXPECT_TRUE(seen("dhd:").ready);
+  EXPECT_EQ(seen("dhd:").presence, Presence::kReady);
   EXPECT_EQ(seen("dhd:").seen, "library, USB 3-1");
   plug("3-1", "0403", "6001");  // the same maker's serial port
-  EXPECT_FALSE(seen("dhd:").ready);
+  EXPECT_EQ(seen("dhd:").presence, Presence::kMissing);
   plug("3-1", "1451", "0301");
-  EXPECT_TRUE(seen("dhd:").ready);
+  EXPECT_EQ(seen("dhd:").presence, Presence::kReady);
   plug("1-1", "256f", "c635");
   EXPECT_EQ(seen("spacemouse:").seen, "USB 1-1, but no socket /run/spnav.sock");
   write("/run/spnav.sock", "");
-  EXPECT_TRUE(seen("spacemouse:").ready);
+  EXPECT_EQ(seen("spacemouse:").presence, Presence::kReady);
 }
 
 TEST_F(DeviceSearch, ModemManagerTakesATouchForAModemUnlessARuleSaysNo) {
   plug_touch();
-  EXPECT_TRUE(seen("hd:").ready);
+  EXPECT_EQ(seen("hd:").presence, Presence::kReady);
   EXPECT_EQ(seen("hd:").seen, "library, USB 1-2");
   write("/proc/417/comm", "ModemManager");
-  EXPECT_FALSE(seen("hd:").ready);
+  EXPECT_EQ(seen("hd:").presence, Presence::kMissing);
   EXPECT_EQ(seen("hd:").seen, "USB 1-2: ModemManager takes it for a modem");
   EXPECT_TRUE(says(seen("hd:").remedy, "installs udev rules"));
   install_rules();
-  EXPECT_TRUE(seen("hd:").ready);
+  EXPECT_EQ(seen("hd:").presence, Presence::kReady);
 }
 
 // Not as root, who may open every file.
@@ -103,7 +115,8 @@ TEST_F(DeviceSearch, PermissionIsNamedWithItsNodeAndARemedy) {
     if (geteuid() == 0 && setuid(65534) != 0) return false;
     const DeviceSighting touch = seen("hd:");
     std::fputs((touch.seen + "; " + touch.remedy + "\n").c_str(), stderr);
-    return !touch.ready && says(touch.seen, "/dev/ttyACM0 may not be read and written") &&
+    return touch.presence == Presence::kMissing &&
+           says(touch.seen, "/dev/ttyACM0 may not be read and written") &&
            says(touch.remedy, remedy);
   };
   EXPECT_EQ(chmod((root + "/dev/ttyACM0").c_str(), 0), 0);

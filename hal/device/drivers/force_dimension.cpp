@@ -451,7 +451,7 @@ void search(const HostTree& tree, DeviceSighting& out) {
     return;
   }
   if (!may_use(tree, device, out)) return;
-  out.ready = true;
+  out.presence = Presence::kReady;
   out.seen = "library, " + device.place;
 }
 

@@ -386,9 +386,13 @@ bool listens(std::uint16_t port) {
 
 void search(const HostTree&, DeviceSighting& out) {
   constexpr std::uint16_t kPort = 10001;
-  out.ready = listens(kPort);
-  out.seen = out.ready ? "its service answers" : "no service on 127.0.0.1:10001";
-  if (!out.ready) out.remedy = "install haply-inverse-service and start it";
+  if (!listens(kPort)) {
+    out.seen = "no service on 127.0.0.1:10001";
+    out.remedy = "install haply-inverse-service and start it";
+    return;
+  }
+  out.presence = Presence::kUnknown;  // the service runs without a device as well
+  out.seen = "its service answers; the device shows itself only when it is opened";
 }
 
 }  // namespace

@@ -463,9 +463,10 @@ void search(const HostTree& tree, DeviceSighting& out) {
     out.remedy = kUdevRemedy;
     return;
   }
-  out.ready = true;
-  out.seen = touch.place.empty() ? "library; none on USB (older ones are on Ethernet or FireWire)"
-                                 : "library, " + touch.place;
+  const bool on_usb = !touch.place.empty();
+  out.presence = on_usb ? Presence::kReady : Presence::kUnknown;
+  out.seen = on_usb ? "library, " + touch.place
+                    : "library; none on USB (older ones are on Ethernet or FireWire)";
 }
 
 }  // namespace

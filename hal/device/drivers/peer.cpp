@@ -275,8 +275,8 @@ Device open_shared_memory(const std::string& rest, double patience_s) {
 namespace {
 
 void search(const HostTree&, DeviceSighting& out) {
-  out.ready = true;
-  out.seen = "always";
+  out.presence = Presence::kUnknown;
+  out.seen = "shows itself only when it is opened";
 }
 
 }  // namespace

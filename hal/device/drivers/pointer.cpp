@@ -202,7 +202,7 @@ Device open_pointer(const std::string& rest, double /*patience_s*/) {
 namespace {
 
 void search(const HostTree&, DeviceSighting& out) {
-  out.ready = true;
+  out.presence = Presence::kReady;
   out.seen = "with --console";
 }
 

@@ -201,10 +201,15 @@ void search(const HostTree& tree, DeviceSighting& out) {
     out.remedy = "apt install spacenavd; systemctl start spacenavd";
     return;
   }
-  out.ready = access((tree.root + path).c_str(), R_OK | W_OK) == 0;
-  out.seen = path + (out.ready ? "" : " may not be used by this user") +
-             (mouse.place.empty() ? "" : ", " + mouse.place);
-  if (!out.ready) out.remedy = "chmod 666 " + path;
+  const bool on_usb = !mouse.place.empty();
+  if (access((tree.root + path).c_str(), R_OK | W_OK) != 0) {
+    out.seen = path + " may not be used by this user" + (on_usb ? ", " + mouse.place : "");
+    out.remedy = "chmod 666 " + path;
+    return;
+  }
+  out.presence = on_usb ? Presence::kReady : Presence::kUnknown;
+  out.seen = path + ", " +
+             (on_usb ? mouse.place : "none on USB (others are on Bluetooth or a serial line)");
 }
 
 }  // namespace
