@@ -59,6 +59,7 @@ const char* verdict(const hal::PushSeen& push, std::size_t way) {
 Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::DeviceProbe& probe) {
   Json record = {{"uri", uri},
                  {"name", info.name},
+                 {"serial_number", info.identity[0] != 0 ? Json(info.identity) : Json(nullptr)},
                  {"stylet_version", STYLET_VERSION},
                  {"limits",
                   {{"max_force_n", info.max_force_n},
@@ -102,6 +103,8 @@ std::string short_of(const Json& v) {
 
 void tell(const Json& r) {
   fmt::print("{}: {}\n", r["uri"].get<std::string>(), r["name"].get<std::string>());
+  const Json& serial = r["serial_number"];
+  fmt::print("serial    {}\n", serial.is_null() ? "not told" : serial.get<std::string>());
   fmt::print("samples   {:.0f} a second, {} lost, {} ticks without a new one\n",
              r["samples_per_s"].get<double>(), r["lost"].get<std::uint64_t>(),
              r["repeated"].get<std::uint64_t>() + r["unanswered"].get<std::uint64_t>());

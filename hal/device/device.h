@@ -51,7 +51,8 @@ struct DeviceInfo {
   // So long after the sample that it answers (not after it was sent) a force ends by itself, in the
   // device; 0: it does not.
   float force_life_s = 0;
-  const char* identity = "";  // tells it apart from others of its kind; empty: it does not say
+  // Serial number or id, which tells it apart from others of its kind; empty: it does not say.
+  const char* identity = "";
   const DeviceModel* model = nullptr;  // the model it was recognised as; null: unknown
 };
 

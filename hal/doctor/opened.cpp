@@ -125,6 +125,12 @@ Finding state(const Watched& w, const Device& device) {
   return w.finding(kCheck, Condition::kGood, "no fault");
 }
 
+string described(const DeviceInfo& info) {
+  const string serial =
+      info.identity[0] != 0 ? fmt::format(", serial number {}", info.identity) : "";
+  return fmt::format("{}{}, at most {:g} N", info.name, serial, info.max_force_n);
+}
+
 constexpr Check kOpens = {"device opens", Verdict::kFail, nullptr,
                           "see hal/device/README.md for what this device needs"};
 
@@ -134,9 +140,7 @@ std::vector<Finding> judge_opened(const string& uri, const Device& device,
                                   const DeviceProbe& probe) {
   const double watchdog_s = static_cast<double>(watchdog_of(device.info, GuardConfig{}.watchdog_s));
   const Watched watched = {uri, probe, watchdog_s * 1e3};
-  std::vector<Finding> found = {watched.finding(
-      kOpens, Condition::kGood,
-      fmt::format("{}, at most {:g} N", device.info.name, device.info.max_force_n))};
+  std::vector<Finding> found = {watched.finding(kOpens, Condition::kGood, described(device.info))};
   found.push_back(samples(watched));
   if (probe.packets) found.push_back(packets(watched, *probe.packets));
   if (probe.packets) found.push_back(forces(watched, *probe.packets));

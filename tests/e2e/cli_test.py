@@ -620,6 +620,18 @@ uri = "hd:Right"
                       "buzz 0.297 N (device)", "friction 0.26 N"):
             self.assertIn(words, done.stdout)
 
+    def test_probe_and_doctor_tell_the_serial_number(self):
+        record = self.top / "touch.json"
+        env = dict(self.with_touch(), STYLET_STANDIN_SERIAL="40915001")
+        for words, told in (
+                (["devices", "probe", "hd:", "--seconds", "0.2", "-o", record],
+                 "serial    40915001\n"),
+                (["doctor", "--device", "hd:"], "Stand-in Touch, serial number 40915001, at most")):
+            done = subprocess.run([BIN / "stylet", *words], env=env, capture_output=True, text=True,
+                                  timeout=60)
+            self.assertIn(told, done.stdout, done.stderr)
+        self.assertEqual(json.loads(record.read_text())["serial_number"], "40915001")
+
     def test_period_too_long_for_a_device_is_refused(self):
         scene = self.top / "slow.toml"
         scene.write_text("[loop]\nperiod_us = 4000\n")  # and no script: a device holds the needle

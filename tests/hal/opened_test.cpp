@@ -271,6 +271,14 @@ struct MadeUp {
   Finding state() const { return judged().at("device state"); }
 };
 
+TEST(OpenedDevice, TheSerialNumberIsToldWhereItIsKnown) {
+  MadeUp made;
+  made.device.info.max_force_n = 3;
+  EXPECT_EQ(made.judged().at("device opens").value, "made up, at most 3 N");
+  made.device.info.identity = "40915001";
+  EXPECT_EQ(made.judged().at("device opens").value, "made up, serial number 40915001, at most 3 N");
+}
+
 // Without packets the watchdog is 3 ms.
 TEST(OpenedDevice, WhereThisMachineWasLateTheDeviceIsNotBlamed) {
   MadeUp made;

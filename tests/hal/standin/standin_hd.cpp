@@ -314,6 +314,7 @@ struct Loads {
     setenv(kMark, "1", 1);
 #endif
     if (const char* call = getenv("STYLET_STANDIN_HANGS")) hang_later(call);
+    if (const char* serial = getenv("STYLET_STANDIN_SERIAL")) units[0].seen.serial = serial;
   }
 } const loads;
 }  // namespace
