@@ -2,6 +2,8 @@
 #include "hal/scene/guard.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "hal/guard/bounds.h"
@@ -129,35 +131,53 @@ CouplingConfig read_coupling(Section coupling, const DeviceModel& model, const G
 
 namespace {
 
-// Whose limit counts: of two, the stricter.
-const char* whose(float scenes, float used) {
-  return scenes <= used ? "scene" : "device";
+// Whose limit counts: of two, the lower; both, if they are the same.
+const char* whose(float scenes, float devices) {
+  const double apart = std::fabs(of(scenes) - of(devices));
+  if (apart <= kRoundingFraction * std::fabs(of(devices))) return "scene and device";
+  return scenes < devices ? "scene" : "device";
 }
 
-std::string told_of_force(const Hand& scenes, const Hand& used) {
+// What would hold with a scene that limits nothing.
+Hand of_device_alone(const DeviceInfo& info, const Hand& scenes) {
+  constexpr float kNoLimit = std::numeric_limits<float>::infinity();
+  Hand alone = scenes;
+  alone.guard.max_force_n = alone.guard.max_slew_n_per_s = kNoLimit;
+  alone.guard.buzz_n = alone.guard.continuous_force_n = kNoLimit;
+  alone.guard.watchdog_s = 0;
+  alone.coupling.stiffness_n_per_m = 0;
+  fit_to_device(info, alone.grip, alone.guard, alone.coupling);
+  return alone;
+}
+
+std::string told_of_force(const Hand& scenes, const Hand& alone, const Hand& used) {
+  const float scenes_buzz_n =
+      std::min(scenes.guard.buzz_n, static_cast<float>(kBuzzFraction) * scenes.guard.max_force_n);
   return fmt::format("at most {:.3g} N ({}), buzz {:.3g} N ({})", of(used.guard.max_force_n),
-                     whose(scenes.guard.max_force_n, used.guard.max_force_n), of(used.guard.buzz_n),
-                     whose(scenes.guard.buzz_n, used.guard.buzz_n));
+                     whose(scenes.guard.max_force_n, alone.guard.max_force_n),
+                     of(used.guard.buzz_n), whose(scenes_buzz_n, alone.guard.buzz_n));
 }
 
-std::string told_of_heat_and_stiffness(const DeviceInfo& info, const Hand& scenes,
-                                       const Hand& used) {
+std::string told_of_heat_and_stiffness(const Hand& scenes, const Hand& alone, const Hand& used) {
   std::string told;
-  const bool heats =
-      info.continuous_force_n > 0 || (info.model != nullptr && info.model->continuous_force_n > 0);
-  const float always_n = used.guard.continuous_force_n;
-  if (heats) {
-    told += fmt::format(", for ever {:.3g} N ({})", of(always_n),
-                        whose(scenes.guard.continuous_force_n, always_n));
+  if (std::isfinite(alone.guard.continuous_force_n)) {
+    told += fmt::format(", for ever {:.3g} N ({})", of(used.guard.continuous_force_n),
+                        whose(scenes.guard.continuous_force_n, alone.guard.continuous_force_n));
   }
-  const bool known = info.max_stiffness_n_per_m > 0 ||
-                     (info.model != nullptr && info.model->max_stiffness_n_per_m > 0);
-  const float asked = scenes.coupling.stiffness_n_per_m, got = used.coupling.stiffness_n_per_m;
-  if (known) {
-    told += fmt::format(", coupling {:.3g} N/m ({})", of(got),
-                        asked > 0 ? whose(asked, got) : "device");
+  const float asked = scenes.coupling.stiffness_n_per_m;
+  const float can = alone.coupling.stiffness_n_per_m;
+  if (can > 0) {
+    told += fmt::format(", coupling {:.3g} N/m ({})", of(used.coupling.stiffness_n_per_m),
+                        asked > 0 ? whose(asked, can) : "device");
   }
   return told;
+}
+
+// The longer watchdog counts.
+std::string told_of_watchdog(const Hand& scenes, const Hand& alone, const Hand& used) {
+  const float scenes_s = scenes.guard.watchdog_s, devices_s = alone.guard.watchdog_s;
+  return fmt::format(", watchdog {:.3g} ms ({})", of(used.guard.watchdog_s) * 1e3,
+                     whose(-scenes_s, -devices_s));
 }
 
 std::string told_of_energy(const DeviceModel& model, const GuardConfig& guard) {
@@ -179,9 +199,9 @@ std::string fit_to_device(const DeviceInfo& info, Hand& hand) {
   if (info.identity[0] != 0) told += fmt::format(" {}", info.identity);
   if (info.model != nullptr) told += fmt::format(", taken for \"{}\"", info.model->name);
   if (!(info.max_force_n > 0)) return told + ": no force";
-  told += ": " + told_of_force(scenes, hand) + told_of_heat_and_stiffness(info, scenes, hand);
-  told += fmt::format(", watchdog {:.3g} ms ({})", of(hand.guard.watchdog_s) * 1e3,
-                      scenes.guard.watchdog_s < hand.guard.watchdog_s ? "device" : "scene");
+  const Hand alone = of_device_alone(info, scenes);
+  told += ": " + told_of_force(scenes, alone, hand) +
+          told_of_heat_and_stiffness(scenes, alone, hand) + told_of_watchdog(scenes, alone, hand);
   if (info.model != nullptr) told += told_of_energy(*info.model, hand.guard);
   return told;
 }

@@ -71,7 +71,7 @@ struct Scene {
 void attach(Hand& hand, const std::string& uri);
 // Reduces what the hand asks of an open device to what the device can do. Each threshold of the
 // guard becomes the stricter of the device's and the scene's. Returns a text that says which number
-// was used and where it came from.
+// was used and where it came from: scene, device, or both if they have the same.
 std::string fit_to_device(const DeviceInfo& info, Hand& hand);
 
 // Devices will hold the first `held` needles (attach), whatever the scene says, so the hands of

@@ -405,6 +405,30 @@ TEST(Scene, TheGuardsThresholdsAreThoseOfTheOpenedDevice) {
   EXPECT_EQ(loose.guard.passivity_damping_n_s_per_m, 2);
 }
 
+// A limit that scene and device share is of both. The scene's buzz is also at most a tenth of its
+// own largest force.
+TEST(Scene, ALimitOfTheOpenedDeviceIsToldWithWhoseItIs) {
+  const auto told = [](const char* scene, float max_force_n, float force_life_s) {
+    DeviceInfo info = {"peer", max_force_n, 2000, 400};
+    info.continuous_force_n = 2;
+    info.force_life_s = force_life_s;
+    Hand hand = parse_scene(std::string(scene) + "[[hand.waypoint]]\nhold_s = 1\n", "s").hands[0];
+    return fit_to_device(info, hand);
+  };
+  const char* both = "[device]\nmax_force_n = 3\ncontinuous_force_n = 2\n";
+  EXPECT_EQ(told(both, 3, 4e-3F),
+            "peer: at most 3 N (scene and device), buzz 0.3 N (scene and device), for ever 2 N "
+            "(scene and device), coupling 280 N/m (device), watchdog 3 ms (scene and device)");
+  EXPECT_EQ(told(both, 5, 0),
+            "peer: at most 3 N (scene), buzz 0.3 N (scene), for ever 2 N (scene and device), "
+            "coupling 280 N/m (device), watchdog 3 ms (scene)");
+  EXPECT_EQ(told("[device]\nmax_force_n = 3\n[guard]\nbuzz_n = 9\n"
+                 "[coupling]\nstiffness_n_per_m = 280\n",
+                 5, 20e-3F),
+            "peer: at most 3 N (scene), buzz 0.3 N (scene), for ever 2 N (device), coupling 280 "
+            "N/m (scene and device), watchdog 15 ms (device)");
+}
+
 TEST(Scene, ANeedleThatADeviceWillHoldNeedsNoScript) {
   EXPECT_THROW(parse_scene("", "s"), SceneError);
   EXPECT_EQ(parse_scene("", "s", 1).hands.size(), 1U);
