@@ -74,6 +74,7 @@ Json record_of(const std::string& uri, const hal::DeviceInfo& info, const hal::D
                  {"unanswered", probe.unanswered},
                  {"interval_us", spread(probe.interval)},
                  {"age_us", spread(probe.age)},
+                 {"sends_times", info.sends_times},
                  {"longest_gap_us", static_cast<double>(probe.longest_gap_ns) * 1e-3},
                  {"smallest_step_um",
                   {probe.step_m[0] * 1e6F, probe.step_m[1] * 1e6F, probe.step_m[2] * 1e6F}},
@@ -112,6 +113,9 @@ void tell(const Json& r) {
     fmt::print("{:<10}p50 {:.0f}, p99 {:.0f}, max {:.0f} us\n",
                std::string(key).substr(0, std::string(key).find('_')), r[key]["p50"].get<double>(),
                r[key]["p99"].get<double>(), r[key]["max"].get<double>());
+  }
+  if (!r["sends_times"].get<bool>()) {
+    fmt::print("          both counted from when its driver got them: it sends no sample times\n");
   }
   fmt::print("gap       at most {:.0f} us without a new sample\n",
              r["longest_gap_us"].get<double>());

@@ -54,6 +54,9 @@ struct DeviceInfo {
   // Serial number or id, which tells it apart from others of its kind; empty: it does not say.
   const char* identity = "";
   const DeviceModel* model = nullptr;  // the model it was recognised as; null: unknown
+  // Its samples say when they were taken, so that one that was held up on its way counts as old.
+  // False: they count as taken when its driver gets them.
+  bool sends_times = false;
 };
 
 // How long the guard may go without a sample: `otherwise_s` for most devices. A device whose forces

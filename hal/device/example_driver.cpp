@@ -44,7 +44,8 @@ struct Plumb {
   DeviceInfo info = {.name = "Plumb",
                      .max_force_n = 3,
                      .max_slew_n_per_s = 1000,
-                     .force_life_s = 1e-9F * static_cast<float>(kPlumbLifeNs)};
+                     .force_life_s = 1e-9F * static_cast<float>(kPlumbLifeNs),
+                     .sends_times = true};
   std::uint64_t newest = 0;   // number of the newest sample
   std::uint64_t sent = 0;     // number of the newest force
   std::int64_t heard_ns = 0;  // when that sample came

@@ -26,6 +26,7 @@ double ms(const Histogram& histogram, double fraction) {
 
 struct Watched {
   const string& uri;
+  const DeviceInfo& info;
   const DeviceProbe& probe;
   double watchdog_ms;  // without a new sample for so long there is a fault
 
@@ -56,8 +57,9 @@ Finding samples(const Watched& w) {
   const Histogram& apart = w.probe.interval;
   return w.finding(
       kCheck, per_s >= kFewestPerS ? Condition::kGood : Condition::kBad,
-      fmt::format("{:.0f} a second, taken {:.2f} (p50), {:.2f} (p99) and at most {:.2f} ms apart",
-                  per_s, ms(apart, 0.5), ms(apart, 0.99), ms(apart.max_ns)));
+      fmt::format("{:.0f} a second, {} {:.2f} (p50), {:.2f} (p99) and at most {:.2f} ms apart",
+                  per_s, w.info.sends_times ? "taken" : "got by the driver", ms(apart, 0.5),
+                  ms(apart, 0.99), ms(apart.max_ns)));
 }
 
 Finding packets(const Watched& w, const PacketCount& count) {
@@ -103,11 +105,21 @@ Finding delay(const Watched& w) {
       "as for device gaps: a sample that is older than the watchdog's time is refused, and a force "
       "ends early by the delay of its sample"};
   const Histogram& age = w.probe.age;
-  return w.finding(
-      kCheck, w.limited(ms(age.max_ns)),
-      fmt::format("samples are {:.2f} (p50), {:.2f} (p99) and at most {:.2f} ms old, refused at "
-                  "{:g} ms{}",
-                  ms(age, 0.5), ms(age, 0.99), ms(age.max_ns), w.watchdog_ms, w.own_lateness()));
+  const string ages = fmt::format("{:.2f} (p50), {:.2f} (p99) and at most {:.2f} ms", ms(age, 0.5),
+                                  ms(age, 0.99), ms(age.max_ns));
+  const string refused =
+      fmt::format("samples are refused at {:g} ms{}", w.watchdog_ms, w.own_lateness());
+  const Condition limited = w.limited(ms(age.max_ns));
+  if (w.info.sends_times) {
+    return w.finding(
+        kCheck, limited,
+        fmt::format("samples come {} later than if all were as fast as the fastest; {}", ages,
+                    refused));
+  }
+  return w.finding(kCheck, limited == Condition::kGood ? Condition::kBesides : limited,
+                   fmt::format("not known: the device sends no sample times; the way from its "
+                               "driver to the loop takes {}; {}",
+                               ages, refused));
 }
 
 // What the guard and the driver say in the end.
@@ -139,7 +151,7 @@ constexpr Check kOpens = {"device opens", Verdict::kFail, nullptr,
 std::vector<Finding> judge_opened(const string& uri, const Device& device,
                                   const DeviceProbe& probe) {
   const double watchdog_s = static_cast<double>(watchdog_of(device.info, GuardConfig{}.watchdog_s));
-  const Watched watched = {uri, probe, watchdog_s * 1e3};
+  const Watched watched = {uri, device.info, probe, watchdog_s * 1e3};
   std::vector<Finding> found = {watched.finding(kOpens, Condition::kGood, described(device.info))};
   found.push_back(samples(watched));
   if (probe.packets) found.push_back(packets(watched, *probe.packets));

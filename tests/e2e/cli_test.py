@@ -564,6 +564,9 @@ class Devices(Folder):
         self.assertGreater(seen["samples_per_s"], 300)
         self.assertLess(seen["low_mm"][2], -5)
         self.assertEqual(seen["low_mm"][0], 0)
+        self.assertIsNone(seen["serial_number"])
+        self.assertTrue(seen["sends_times"])
+        self.assertNotIn("sends no sample times", done.stdout)
 
     def test_client_pushes_the_needle_and_feels_it(self):
         organ = self.make_phantom()
@@ -630,7 +633,9 @@ uri = "hd:Right"
             done = subprocess.run([BIN / "stylet", *words], env=env, capture_output=True, text=True,
                                   timeout=60)
             self.assertIn(told, done.stdout, done.stderr)
+            self.assertIn("sends no sample times", " ".join(done.stdout.split()))
         self.assertEqual(json.loads(record.read_text())["serial_number"], "40915001")
+        self.assertFalse(json.loads(record.read_text())["sends_times"])
 
     def test_period_too_long_for_a_device_is_refused(self):
         scene = self.top / "slow.toml"

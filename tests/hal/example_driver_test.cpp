@@ -170,6 +170,7 @@ TEST_F(ExampleDriver, ASampleThatWasHeldUpCountsAsOld) {
   (void)push(10);
   const double age_ms = static_cast<double>(test::virtual_now_ns() - ticker.sample.t_ns) * 1e-6;
   EXPECT_NEAR(age_ms, 9, 2);
+  EXPECT_TRUE(ticker.device.info.sends_times);
   device.delay_ns = 16 * kMs;
   EXPECT_NE(push(30), Fault::kNone) << "older than the watchdog";
 }

@@ -289,7 +289,26 @@ TEST(OpenedDevice, WhereThisMachineWasLateTheDeviceIsNotBlamed) {
   EXPECT_EQ(made.judged().at("device gaps").verdict, Verdict::kUnknown);
   EXPECT_THAT(made.judged().at("device gaps").value,
               testing::HasSubstr("this machine itself was up to 2.0 ms late"));
-  EXPECT_EQ(made.judged().at("device delay").verdict, Verdict::kOk);
+}
+
+// What a device without sample times loses before its driver gets them, nobody can measure.
+TEST(OpenedDevice, TheDelayOfADeviceWithoutSampleTimesIsNotKnown) {
+  MadeUp made;
+  histogram_add(made.probe->age, kMs / 4);
+  const Finding unknown = made.judged().at("device delay");
+  EXPECT_EQ(unknown.verdict, Verdict::kInfo);
+  EXPECT_THAT(unknown.value,
+              testing::StartsWith("not known: the device sends no sample times; the way from its "
+                                  "driver to the loop takes 0.25 (p50)"));
+  EXPECT_THAT(made.judged().at("device samples").value, testing::HasSubstr("got by the driver"));
+  made.device.info.sends_times = true;
+  const Finding known = made.judged().at("device delay");
+  EXPECT_EQ(known.verdict, Verdict::kOk);
+  EXPECT_THAT(known.value, testing::StartsWith("samples come 0.25 (p50)"));
+  EXPECT_THAT(made.judged().at("device samples").value, testing::HasSubstr("taken"));
+  made.device.info.sends_times = false;
+  histogram_add(made.probe->age, 4 * kMs);  // late after all: the watchdog's time is 3 ms
+  EXPECT_EQ(made.judged().at("device delay").verdict, Verdict::kFail);
 }
 
 TEST(OpenedDevice, FaultTroubleAndNoteAreTold) {

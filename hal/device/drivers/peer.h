@@ -46,7 +46,8 @@ struct PeerDevice {
   DeviceInfo info = {.name = "a peer",
                      .max_force_n = 8,
                      .max_slew_n_per_s = 2000,
-                     .force_life_s = static_cast<float>(kForceLifeNs) * 1e-9F};
+                     .force_life_s = static_cast<float>(kForceLifeNs) * 1e-9F,
+                     .sends_times = true};
   bool heard = false;
   std::int64_t heard_ns = 0;               // arrival of the newest sample
   std::int64_t looked_ns = 0;              // when packets were last looked for
