@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// stylet_driver_texts udev | table | windows | needles | tips | devices: texts that also stand
-// elsewhere, made from the drivers' descriptors and the needles, for toolchain/checks/drivers.py.
+// stylet_driver_texts udev | table | windows | needles | materials | tips | devices: texts that
+// also stand elsewhere, made from the drivers' descriptors and the needles, for
+// toolchain/checks/drivers.py.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -94,14 +95,23 @@ std::string windows_table() {
 
 std::string needle_table() {
   std::string rows =
-      "| needle | OD / ID mm | E GPa | EI N m^2 | length mm | tip, half angle | what |\n"
+      "| needle | OD / ID mm | material | EI N m^2 | length mm | tip, half angle | what |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const hal::NeedlePreset& each : hal::needle_presets()) {
     const std::string inner = each.inner_mm > 0 ? fmt::format("{:.4g}", each.inner_mm) : "solid";
-    rows += fmt::format("| `{}` | {:.4g} / {} | {:.4g} | {:.2e} | {:.4g} | {}, {:.4g}° | {} |\n",
-                        each.name, each.outer_mm, inner, each.youngs_modulus_gpa,
-                        hal::bending_nm2(each.outer_mm, each.inner_mm, each.youngs_modulus_gpa),
+    const double stiffness_nm2 =
+        hal::bending_nm2(each.outer_mm, each.inner_mm, each.material.youngs_modulus_gpa);
+    rows += fmt::format("| `{}` | {:.4g} / {} | `{}` | {:.2e} | {:.4g} | {}, {:.4g}° | {} |\n",
+                        each.name, each.outer_mm, inner, each.material.name, stiffness_nm2,
                         each.length_mm, each.tip, each.half_angle_deg, each.what);
+  }
+  return rows;
+}
+
+std::string material_table() {
+  std::string rows = "| material | E GPa |\n| --- | --- |\n";
+  for (const hal::NeedleMaterial& each : hal::needle_materials()) {
+    rows += fmt::format("| `{}` | {:.4g} |\n", each.name, each.youngs_modulus_gpa);
   }
   return rows;
 }
@@ -147,11 +157,14 @@ int main(int argc, char** argv) {
   if (wanted == "table") text = stylet::app::table();
   if (wanted == "windows") text = stylet::app::windows_table();
   if (wanted == "needles") text = stylet::app::needle_table();
+  if (wanted == "materials") text = stylet::app::material_table();
   if (wanted == "tips") text = stylet::app::tip_table();
   if (wanted == "devices") text = stylet::app::model_table();
   if (text.empty()) {
     (void)std::fputs(
-        "usage: stylet_driver_texts udev | table | windows | needles | tips | devices\n", stderr);
+        "usage: stylet_driver_texts udev | table | windows | needles | materials | tips | "
+        "devices\n",
+        stderr);
     return 2;
   }
   return std::fputs(text.c_str(), stdout) < 0 ? 1 : 0;

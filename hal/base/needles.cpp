@@ -15,12 +15,15 @@ constexpr std::array kTips = {
     TipKind{"conical", 1.5}, TipKind{"diamond", 1},     TipKind{"bevel", 1},  TipKind{"bent", 1.5},
     TipKind{"pencil", 1.5},  TipKind{"tuohy", kPi / 2}, TipKind{"blunt", kPi}};
 
+constexpr NeedleMaterial kSteel = {"steel", 200}, kNitinol = {"nitinol", 75};
+constexpr std::array kMaterials = {kSteel, kNitinol};
+
 constexpr double kConeDeg = 15;
 constexpr double kHypodermicDeg = 6;  // a bevel of 12 degrees
 constexpr double kSpinalDeg = 12;     // Quincke's medium bevel, Whitacre's pencil point
 
 constexpr NeedlePreset tube(const char* name, double outer_mm, double inner_mm, double length_mm) {
-  return {name, outer_mm, inner_mm, length_mm, kSteelGpa, "conical", kConeDeg, "tube of its gauge"};
+  return {name, outer_mm, inner_mm, length_mm, kSteel, "conical", kConeDeg, "tube of its gauge"};
 }
 
 constexpr NeedlePreset like(NeedlePreset tube, const char* name, double length_mm, const char* tip,
@@ -38,7 +41,7 @@ constexpr NeedlePreset hypodermic(NeedlePreset tube, const char* name) {
 }
 
 constexpr NeedlePreset wire(const char* name, double outer_mm) {
-  return {name, outer_mm, 0, 200, kNitinolGpa, "conical", kConeDeg, "nitinol wire"};
+  return {name, outer_mm, 0, 200, kNitinol, "conical", kConeDeg, "nitinol wire"};
 }
 
 constexpr NeedlePreset k17 = tube("17G", 1.473, 1.067, 90);
@@ -93,11 +96,17 @@ auto* found(const Table& table, std::string_view name) {
 std::span<const TipKind> tip_kinds() {
   return kTips;
 }
+std::span<const NeedleMaterial> needle_materials() {
+  return kMaterials;
+}
 std::span<const NeedlePreset> needle_presets() {
   return kNeedles;
 }
 const TipKind* find_tip(std::string_view name) {
   return found(kTips, name);
+}
+const NeedleMaterial* find_needle_material(std::string_view name) {
+  return found(kMaterials, name);
 }
 const NeedlePreset* find_needle(std::string_view name) {
   return found(kNeedles, name);
@@ -118,8 +127,8 @@ NeedleConfig needle_of(const NeedlePreset& preset) {
   NeedleConfig config;
   config.length_m = static_cast<float>(preset.length_mm * 1e-3);
   config.outer_radius_m = static_cast<float>(preset.outer_mm * 0.5e-3);
-  config.bending_nm2 =
-      static_cast<float>(bending_nm2(preset.outer_mm, preset.inner_mm, preset.youngs_modulus_gpa));
+  config.bending_nm2 = static_cast<float>(
+      bending_nm2(preset.outer_mm, preset.inner_mm, preset.material.youngs_modulus_gpa));
   config.tip_half_angle_rad = static_cast<float>(preset.half_angle_deg * (kPi / 180));
   config.torn_diameters = static_cast<float>(find_tip(preset.tip)->torn_diameters);
   config.bore_radius_m = static_cast<float>(preset.inner_mm * 0.5e-3);

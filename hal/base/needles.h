@@ -27,24 +27,30 @@ struct TipKind {
   double torn_diameters;
 };
 
+struct NeedleMaterial {
+  const char* name;
+  double youngs_modulus_gpa;
+};
+
 struct NeedlePreset {
   const char* name;
   double outer_mm, inner_mm;  // an inner diameter of 0: solid
-  double length_mm, youngs_modulus_gpa;
+  double length_mm;
+  NeedleMaterial material;
   const char* tip;  // one of tip_kinds
   double half_angle_deg;
   const char* what;
 };
 
-constexpr double kSteelGpa = 200;
-constexpr double kNitinolGpa = 75;
 // Curvature of the path that a bevel cuts in stiff tissue, unless a scene says it.
 constexpr double kBevelPerM = 5;
 
 std::span<const TipKind> tip_kinds();
+std::span<const NeedleMaterial> needle_materials();
 std::span<const NeedlePreset> needle_presets();
 // Null: there is none of this name.
 const TipKind* find_tip(std::string_view name);
+const NeedleMaterial* find_needle_material(std::string_view name);
 const NeedlePreset* find_needle(std::string_view name);
 
 // E pi (OD^4 - ID^4) / 64.

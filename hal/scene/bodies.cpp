@@ -41,11 +41,12 @@ NeedlePreset read_gauge(Section& needle) {
   gauge.outer_mm = needle.number("od_mm", gauge.outer_mm, 0.05, 10);
   gauge.inner_mm = needle.number("id_mm", gauge.inner_mm, 0, 0.99 * gauge.outer_mm);
   if (needle.has("material")) {
-    const std::string material = needle.choice("material", "steel", {"steel", "nitinol"});
-    gauge.youngs_modulus_gpa = material == "steel" ? kSteelGpa : kNitinolGpa;
+    gauge.material = *find_needle_material(
+        needle.choice("material", gauge.material.name, names_of(needle_materials())));
   }
   (void)needle.get("material");
-  gauge.youngs_modulus_gpa = needle.number("e_gpa", gauge.youngs_modulus_gpa, 0.01, 500);
+  double& modulus_gpa = gauge.material.youngs_modulus_gpa;
+  modulus_gpa = needle.number("e_gpa", modulus_gpa, 0.01, 500);
   return gauge;
 }
 
@@ -190,7 +191,7 @@ NeedleConfig read_needle(Section& needle) {
   NeedleConfig config;
   const NeedlePreset gauge = read_gauge(needle);
   const double stiffness_nm2 =
-      bending_nm2(gauge.outer_mm, gauge.inner_mm, gauge.youngs_modulus_gpa);
+      bending_nm2(gauge.outer_mm, gauge.inner_mm, gauge.material.youngs_modulus_gpa);
   config.outer_radius_m = si(gauge.outer_mm, 0.5e-3);
   config.length_m =
       si(needle.number("length_mm", gauge.length_mm, 1, in_mm(kMaxNeedleLengthM)), 1e-3);

@@ -502,6 +502,12 @@ class Help(unittest.TestCase):
             self.assertIn(f"\n  {program} ", text)
             self.assertLessEqual(max(map(len, text.splitlines())), 110)
 
+    def test_needles_are_listed_with_their_materials(self):
+        listed = json.loads(call("stylet", "needles", "--json").stdout)
+        materials = {each["name"]: each["material"] for each in listed}
+        self.assertEqual((materials["22G"], materials["nitinol-0.58"]), ("steel", "nitinol"))
+        self.assertRegex(call("stylet", "needles").stdout, r"\nnitinol-0\.58 .*nitinol +4\.17e-04 ")
+
     def test_an_unknown_command_is_named(self):
         for program, commands in self.COMMANDS.items():
             self.assertIn("frobnicate", call(program, "frobnicate", expect=1).stderr)

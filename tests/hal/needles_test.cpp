@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "hal/scene/scene.h"
 
@@ -73,6 +75,26 @@ TEST(Needles, ASceneMaySayOtherwise) {
   // As ever: a gauge alone is a cone.
   EXPECT_EQ(needle_in("gauge = \"18G\"").torn_diameters, NeedleConfig{}.torn_diameters);
   EXPECT_EQ(needle_in("gauge = \"18G\"").tip_half_angle_rad, NeedleConfig{}.tip_half_angle_rad);
+}
+
+// Young's moduli of data sheets, in GPa, of the materials that tables and scenes name.
+TEST(Needles, AMaterialByItsNameHasItsModulus) {
+  const std::map<std::string, std::pair<double, double>> sheets = {{"steel", {193, 200}},
+                                                                   {"nitinol", {40, 83}}};
+  ASSERT_EQ(needle_materials().size(), sheets.size());
+  for (const NeedleMaterial& each : needle_materials()) {
+    const auto& [least_gpa, most_gpa] = sheets.at(each.name);
+    // A solid bar of 1 mm: E pi d^4 / 64.
+    const NeedleConfig bar =
+        needle_in(std::string("od_mm = 1\nflexible = true\nmaterial = \"") + each.name + "\"");
+    const double gpa = static_cast<double>(bar.bending_nm2) * 64 / std::numbers::pi * 1e3;
+    EXPECT_GT(gpa, least_gpa - 0.01) << each.name;
+    EXPECT_LT(gpa, most_gpa + 0.01) << each.name;
+  }
+  for (const NeedlePreset& each : needle_presets()) {
+    const bool nitinol = std::string(each.name).starts_with("nitinol");
+    EXPECT_STREQ(each.material.name, nitinol ? "nitinol" : "steel") << each.name;
+  }
 }
 
 TEST(Needles, AnUnknownOneIsRefusedWithTheList) {

@@ -33,7 +33,8 @@ def with_tables(text, *tables):
 
 def texts_of(repository, made):
     """File -> the text that it should have. `made`: what PROGRAM says to each of its words."""
-    tables = {README: ["table"], WINDOWS: ["windows"], BY_NAME: ["needles", "tips", "devices"]}
+    tables = {README: ["table"], WINDOWS: ["windows"],
+              BY_NAME: ["needles", "materials", "tips", "devices"]}
     return {RULES: made("udev"), **{
         name: with_tables((repository / name).read_text(), *map(made, words))
         for name, words in tables.items()}}

@@ -350,7 +350,7 @@ class Drivers(Sample):
     README = f"before\n{drivers.BEGIN}| a |\n{drivers.END}behind\n"
 
     BY_NAME = "".join(f"before\n{drivers.BEGIN}| {each} |\n{drivers.END}"
-                      for each in ("needles", "tips", "devices")) + "behind\n"
+                      for each in ("needles", "materials", "tips", "devices")) + "behind\n"
 
     def faults(self, readme=README, by_name=BY_NAME, **other):
         """With the tables of a program that says what the files say, except for `other`."""
@@ -372,7 +372,7 @@ class Drivers(Sample):
         self.expect_one(self.faults(windows="| b |\n"), drivers.WINDOWS)
 
     def test_refuses_a_name_that_the_page_lacks_and_another_number(self):
-        for table in "needles", "tips", "devices":
+        for table in "needles", "materials", "tips", "devices":
             self.expect_one(self.faults(**{table: f"| {table} |\n| one more |\n"}), drivers.BY_NAME)
             self.expect_one(self.faults(by_name=self.BY_NAME.replace(f"| {table} |", "| 8 |")),
                             drivers.BY_NAME)
