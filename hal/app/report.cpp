@@ -268,8 +268,8 @@ std::string strength_text(const RunReport& report) {
   return text;
 }
 
-// The deepest dimple before a puncture of the surface, in the coarsest voxels.
-double dimple_voxels(const RunReport& report) {
+// The deepest dimple before a puncture of the surface, in voxels of this level.
+double dimple_voxels(const RunReport& report, std::uint32_t level) {
   double most = 0;
   for (const auto& stages : report.stages) {
     for (const hal::StageRow& row : stages) {
@@ -278,7 +278,7 @@ double dimple_voxels(const RunReport& report) {
       }
     }
   }
-  return most;
+  return most / static_cast<double>(edge_ratio(level));
 }
 
 // A warning if a moving hand feels mass that the tissue does not have.
@@ -294,7 +294,8 @@ std::string inertia_text(const Resonance& of) {
 std::string resolution_text(const RunReport& report) {
   constexpr double kShallowVoxels = 1, kNoShortfall = 0.02;
   const double shortfall = static_cast<double>(report.stats.coupling_shortfall);
-  const double dimple = dimple_voxels(report);
+  const std::uint32_t finest = report.levels - 1;
+  const double coarse = dimple_voxels(report, 0), fine = dimple_voxels(report, finest);
   std::string text;
   if (shortfall > kNoShortfall) {
     text += fmt::format(
@@ -308,13 +309,19 @@ std::string resolution_text(const RunReport& report) {
     text += fmt::format(
         "unit        the needle's unit is {:.2g} voxels long, so that the shaft is 10 to 26 % too "
         "soft sideways: expected a unit of at most {:.3g} mm\n",
-        unit, 1e3 * static_cast<double>(report.voxel_edge_m * edge_ratio(report.levels - 1)));
+        unit, 1e3 * static_cast<double>(report.voxel_edge_m * edge_ratio(finest)));
   }
-  if (dimple > kShallowVoxels) {
+  // Which voxels lie below it is not known here: the finest decide whether there is a warning.
+  if (fine > kShallowVoxels) {
+    const std::string depth =
+        finest > 0
+            ? fmt::format("as deep as {:.1f} of the finest voxels, or {:.1f} of the coarsest", fine,
+                          coarse)
+            : fmt::format("{:.1f} voxels deep", coarse);
     text += fmt::format(
-        "dimple      {:.1f} voxels deep: with finer voxels the tissue below it would be softer, "
-        "and the force smaller by some per cent\n",
-        dimple);
+        "dimple      {}: with finer voxels the tissue below it would be softer, and the force "
+        "smaller by some per cent\n",
+        depth);
   }
   return text;
 }
@@ -367,7 +374,9 @@ std::string json_text(const RunReport& report) {
   for (const auto& [name, value] : counters(report)) out["counters"][name] = value;
   out["coupling_shortfall"] = json_number(stats.coupling_shortfall);
   out["unit_in_voxels"] = json_number(stats.unit_in_voxels);
-  out["dimple_voxels"] = json_number(static_cast<float>(dimple_voxels(report)));
+  out["dimple_voxels"] = json_number(static_cast<float>(dimple_voxels(report, 0)));
+  out["dimple_finest_voxels"] =
+      json_number(static_cast<float>(dimple_voxels(report, report.levels - 1)));
   out["first_resonance_hz"] = json_number(static_cast<float>(report.resonance.stepped_hz));
   out["real_first_resonance_hz"] = json_number(static_cast<float>(report.resonance.real_hz));
   out["inertia_departs_hz"] = json_number(static_cast<float>(report.resonance.departs_hz));

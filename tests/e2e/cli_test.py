@@ -139,14 +139,35 @@ class Insertion(Folder):
     def test_openhelp_paper(self):
         self.check(self.make_openhelp(), "paper")
 
+
+class Levels(Folder):
+    """What is said of an organ with voxels of several edges."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.organ = cls.top / "fine.organ"
+        call("stylet-organ", "phantom", "liver", "--voxel-mm", "12", "--refine", "surface:2", "-o",
+             cls.organ)
+
     def test_edges_and_unit_are_those_of_all_levels(self):
-        organ = self.top / "fine.organ"
-        call("stylet-organ", "phantom", "liver", "--voxel-mm", "8", "--refine", "surface:2", "-o",
-             organ)
-        said = call("stylet", "run", SCENE, "--organ", organ, "--fast", "--force",
+        said = call("stylet", "run", SCENE, "--organ", self.organ, "--fast", "--force",
                     "--duration-s", "0.01").stdout
-        self.assertIn("voxels of 8 to 2 mm", said)
-        self.assertRegex(said, "the needle's unit is 2.5 voxels long.*a unit of at most 2 mm")
+        self.assertIn("voxels of 12 to 3 mm", said)
+        self.assertRegex(said, "the needle's unit is 1.7 voxels long.*a unit of at most 3 mm")
+        facts = call("stylet-organ", "info", self.organ).stdout
+        self.assertRegex(facts, r"lattice +\d+ voxels of 12 to 3 mm in .* \(stored one level after")
+
+    def test_a_dimple_is_told_in_the_voxels_of_all_levels(self):
+        run = ["stylet", "run", SCENE, "--organ", self.organ, "--fast", "--duration-s", "1.6"]
+        report = json.loads(call(*run, "--json").stdout)
+        contact_mm = max(1e3 * row["travel_m"] for row in report["phases"]
+                         if row["name"] == "contact")
+        self.assertGreater(contact_mm, 3)
+        self.assertAlmostEqual(report["dimple_voxels"], contact_mm / 12, delta=1e-3)
+        self.assertAlmostEqual(report["dimple_finest_voxels"], contact_mm / 3, delta=1e-3)
+        self.assertIn(f"dimple      as deep as {contact_mm / 3:.1f} of the finest voxels, or "
+                      f"{contact_mm / 12:.1f} of the coarsest: ", call(*run).stdout)
 
 
 class Recording(Folder):

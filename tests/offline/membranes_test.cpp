@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 #include <set>
@@ -16,6 +17,7 @@
 #include "pipeline/label_organ.h"
 #include "pipeline/membranes.h"
 #include "pipeline/settings.h"
+#include "report/info.h"
 
 namespace stylet::test {
 namespace {
@@ -120,6 +122,9 @@ TEST(Membranes, TheAreaInTheOrganIsThatOfTheSurface) {
     squares += static_cast<double>(c.area);
   }
   EXPECT_NEAR(squares * 16e-6, offline::area_m2(ball), 1e-5 * offline::area_m2(ball));
+  EXPECT_THAT(
+      offline::organ_text(offline::organ_facts(organ, built.bytes)),
+      testing::ContainsRegex("\nmembrane      dura +[0-9]+ cells .* \\(cells of 4 mm\\)\n"));
   EXPECT_NEAR(offline::area_m2(ball), 4 * std::numbers::pi * radius * radius, 2e-5);
 }
 

@@ -296,6 +296,22 @@ nlohmann::ordered_json organ_facts(const Organ& organ, std::span<const std::byte
 
 namespace {
 
+// The edges of all voxels, and how the lattice is stored.
+std::string lattice_text(const Json& f) {
+  const bool graded = f["levels"].size() > 1;
+  const double coarse_mm = f["voxel_edge_mm"].get<double>();
+  const std::string edges = graded ? fmt::format("{:.6g} to {:.6g}", coarse_mm,
+                                                 f["levels"].back()["voxel_edge_mm"].get<double>())
+                                   : fmt::format("{:.6g}", coarse_mm);
+  return fmt::format(
+      "lattice       {} voxels of {} mm in {} x {} x {}{}, {:.4g} ml; {} hold two tissues, or "
+      "tissue and none\n",
+      f["voxels"].get<std::size_t>(), edges, f["lattice_size"][0].get<int>(),
+      f["lattice_size"][1].get<int>(), f["lattice_size"][2].get<int>(),
+      graded ? " (stored one level after the other)" : "", f["volume_ml"].get<double>(),
+      f["mixed_voxels"].get<std::size_t>());
+}
+
 // Only if there are several.
 std::string levels_text(const Json& f) {
   std::string text;
@@ -313,9 +329,9 @@ std::string levels_text(const Json& f) {
 std::string surfaces_text(const Json& f) {
   std::string text;
   for (const auto& m : f["membranes"]) {
-    text += fmt::format("membrane      {:<14} {:>8} voxels {:>9.4g} cm2\n",
+    text += fmt::format("membrane      {:<14} {:>8} cells  {:>9.4g} cm2  (cells of {:.6g} mm)\n",
                         m["tissue"].get<std::string>(), m["cells"].get<std::size_t>(),
-                        m["area_cm2"].get<double>());
+                        m["area_cm2"].get<double>(), f["voxel_edge_mm"].get<double>());
   }
   for (const auto& s : f["slides"]) {
     text += fmt::format("slide         {:<14} {:>8} points {:>9.4g} cm2  on {}, friction {:.3g}\n",
@@ -329,16 +345,13 @@ std::string surfaces_text(const Json& f) {
 }  // namespace
 
 std::string organ_text(const nlohmann::ordered_json& f) {
-  std::string text = fmt::format(
-      "organ         {}  (hash {})\nlattice       {} voxels of {:.6g} mm in {} x {} x {}, {:.4g} "
-      "ml; {} hold two tissues, or tissue and none\nheld          {} corners\nsurface       {} "
-      "vertices, {} triangles, {} spheres\n",
-      f["name"].get<std::string>(), f["hash"].get<std::string>(), f["voxels"].get<std::size_t>(),
-      f["voxel_edge_mm"].get<double>(), f["lattice_size"][0].get<int>(),
-      f["lattice_size"][1].get<int>(), f["lattice_size"][2].get<int>(),
-      f["volume_ml"].get<double>(), f["mixed_voxels"].get<std::size_t>(),
-      f["held_corners"].get<std::size_t>(), f["surface_vertices"].get<std::size_t>(),
-      f["surface_triangles"].get<std::size_t>(), f["sphere_nodes"].get<std::size_t>());
+  std::string text = fmt::format("organ         {}  (hash {})\n", f["name"].get<std::string>(),
+                                 f["hash"].get<std::string>());
+  text += lattice_text(f);
+  text +=
+      fmt::format("held          {} corners\nsurface       {} vertices, {} triangles, {} spheres\n",
+                  f["held_corners"].get<std::size_t>(), f["surface_vertices"].get<std::size_t>(),
+                  f["surface_triangles"].get<std::size_t>(), f["sphere_nodes"].get<std::size_t>());
   text += levels_text(f);
   if (f["sheets"].get<int>() > 1) {
     text += fmt::format("gaps          {} voxels share cells with others they do not touch\n",

@@ -43,6 +43,13 @@ class Objects(unittest.TestCase):
         self.assertEqual(repr(device), "<stylet.Device simulated: closed, or a loop has it>")
         self.assertRegex(repr(stylet.Needle()), r"^Needle\(length_m=0\.15\d*, .*rods=32")
 
+    def test_an_organ_says_the_edges_of_all_its_voxels(self):
+        path = folder() / "fine.organ"
+        subprocess.run([program("stylet-organ"), "phantom", "block", "--size-mm", "48,32,24",
+                        "--voxel-mm", "8", "--refine", "surface:2", "-o", path],
+                       check=True, capture_output=True)
+        self.assertIn(" voxels of 8 to 2 mm, ", repr(stylet.Organ.read(path)))
+
     def test_say_how_a_loop_is(self):
         device, hand = stylet.Device.simulated(0.01, 0.01), stylet.Hand()
         config = stylet.LoopConfig(virtual_time=1, ticks=20, priority=0)

@@ -3,6 +3,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "hal/hosts/python/src/poses.h"
@@ -79,10 +81,26 @@ py::object kept(const Organ& organ, py::object& array, const py::dtype& dtype, p
   return array;
 }
 
+// "8", or "8 to 2" if voxels have several edges.
+std::string edges_mm(const stylet_organ* organ) {
+  std::vector<stylet_cube> cubes(stylet_organ_cubes(organ, nullptr, 0));
+  stylet_organ_cubes(organ, cubes.data(), static_cast<std::uint32_t>(cubes.size()));
+  const auto shorter = [](const stylet_cube& a, const stylet_cube& b) {
+    return a.edge_m < b.edge_m;
+  };
+  const auto [fine, coarse] = std::minmax_element(cubes.begin(), cubes.end(), shorter);
+  const auto mm = [](float edge_m) {
+    return py::str("{:.4g}").format(1e3 * static_cast<double>(edge_m));
+  };
+  std::string edges = mm(coarse->edge_m);
+  if (fine->edge_m < coarse->edge_m) edges += " to " + std::string(mm(fine->edge_m));
+  return edges;
+}
+
 py::str told(const Organ& o) {
-  return py::str("<stylet.Organ {!r}: {} voxels of {:.4g} mm, {} materials>")
-      .format(o.info.attr("name"), o.info.attr("voxels"),
-              1e3 * o.info.attr("voxel_edge_m").cast<double>(), o.info.attr("materials"));
+  return py::str("<stylet.Organ {!r}: {} voxels of {} mm, {} materials>")
+      .format(o.info.attr("name"), o.info.attr("voxels"), edges_mm(o.handle.get()),
+              o.info.attr("materials"));
 }
 
 }  // namespace
