@@ -15,7 +15,7 @@ enum ExitCode : int {
   kExitOk = 0,
   kExitRefused = 1,    // scene, organ, recording or host file: not as it should be
   kExitUsage = 2,      // command line
-  kExitTrouble = 3,    // run: a guard fault or lost records; replay: other bits; doctor: doubts
+  kExitTrouble = 3,    // run: a guard fault or lost records; replay: other bits; doctor: warnings
   kExitHostUnfit = 4,  // the machine does not grant what the real-time loop needs
 };
 

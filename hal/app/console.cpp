@@ -41,7 +41,7 @@ bool is_scene(const std::filesystem::path& path) try {
   return false;
 }
 
-// Names of the scenes in this one's folder, without folders.
+// File names of all scenes in this one's folder.
 std::vector<std::string> scenes_beside(const std::string& file) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::absolute(file).parent_path();
@@ -79,7 +79,7 @@ class Pointers {
   std::array<std::uint32_t, kMaxNeedles> number_ = {kNone, kNone, kNone, kNone};
 };
 
-// Written by the onlooker and the session.
+// The numbers for Prometheus (metrics.h). The onlooker and the session write them, in two threads.
 class Meter {
  public:
   void add(const hal::TickRecord& record) {

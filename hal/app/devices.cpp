@@ -158,10 +158,9 @@ void serve(const StationOptions& options, const hal::StationConfig& config,
 
 namespace {
 
-// For people and for programs.
 struct PresenceText {
-  const char* word;
-  Json ready;  // null: unknown
+  const char* word;  // for people
+  Json ready;        // for programs; null: unknown
 };
 
 PresenceText text_of(hal::Presence presence) {

@@ -129,7 +129,7 @@ std::string measured_text(const DoctorReport& report) {
                         m.use.involuntary_switches);
   }
   text += fmt::format(
-      "\nThe same, seen by others:\n"
+      "\nOther programs that measure the same:\n"
       "  cyclictest -m -p {1} -a {0} -i 1000 -D 60\n"
       "  rtla timerlat hist -c {0} -T 100\n"
       "A machine is qualified when the ticks, quiet and loaded, miss nothing for 8 hours:\n"

@@ -43,7 +43,7 @@ inline std::string words_of(const hal::FaultCause& cause) {
 
 class FaultDesk {
  public:
-  // One device for each box; both must outlive this. Notes that devices have now are not retold.
+  // One device for each box; both must outlive this. Notes that devices have now count as told.
   FaultDesk(std::span<hal::FaultMailbox> boxes, std::vector<std::string> names,
             std::span<const hal::Device> devices)
       : boxes_(boxes),
@@ -110,8 +110,8 @@ class FaultDesk {
   std::vector<std::string> names_;
   std::span<const hal::Device> devices_;
   std::vector<hal::LatchedFault> told_;
-  std::vector<bool> clears_itself_;        // what was last told of
-  std::vector<std::string> away_, noted_;  // what was last told of each device
+  std::vector<bool> clears_itself_;        // the fault that was last told of each device
+  std::vector<std::string> away_, noted_;  // trouble and note that were last told of each device
   bool asked_ = false;
 };
 

@@ -358,7 +358,7 @@ void add_lists(CLI::App& program, ListOptions& scene_list, bool& needles_json) {
                   "Print the file of this scene's organ, and make it if it is not there yet")
       ->excludes(json);
   CLI::App& needles = *program.add_subcommand(
-      "needles", "List the needles that a scene may name: diameters, stiffness and tip");
+      "needles", "List the needles that a scene may name: diameters, material, stiffness and tip");
   add_json(needles, needles_json, "one JSON array");
 }
 

@@ -63,7 +63,7 @@ inline hal::Device open_or_stop(const std::string& uri, Opener open) {
       "{}: its driver hangs in the call that opens it: switch the device off and on again", uri));
 }
 
-// Says which of them hang; `uri` gives the URI of each.
+// Closes devices, and says whose driver hangs; `uri` gives the URI of each.
 inline void close_or_leave(std::span<const hal::Device> devices,
                            const std::function<std::string(std::size_t)>& uri) {
   for (const std::size_t i : hal::close_devices(devices)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The score of a recorded attempt: computed from its records, the same that was told when it ended.
+// The score of a recorded attempt, computed from its records: the same as at the attempt's end.
 #pragma once
 
 #include <span>

@@ -27,15 +27,14 @@
 
 namespace stylet::app {
 
-// Where one needle starts, and whence its motion comes: a script, a steering, a recording, a
-// device.
+// Where one needle starts, and what moves it: a script, a steering, a recording, a device.
 struct NeedleSource {
   hal::Placement placement;
   hal::SimulatedHand hand;
   hal::Steered steered;
   hal::ReplayDevice replayed;
-  // A device's guard, between attempts: as long as the device is open, what is latched and how warm
-  // its motors are belongs to the device.
+  // A device's guard between two attempts. As long as the device is open, a latched fault and the
+  // heat of its motors stay with it.
   hal::GuardState guard = hal::guard_start();
   hal::GuardState torque_guard = hal::guard_start();
   std::int64_t left_ns = 0;  // when the last attempt ended; 0: before the first
@@ -116,8 +115,8 @@ void prepare(Session& session, Attempt& attempt, hal::Display* display);
 void start(Session& session, Attempt& attempt);
 // Waits for the loop's end, and completes the recorder's work. Throws what the loop threw.
 void finish(Session& session, Attempt& attempt);
-// Completes the recording, and puts its name into the report, or none. What went wrong; empty:
-// nothing. The report is still worth having.
+// Completes the recording and puts its name into the report; no name: there is none. Returns what
+// went wrong, empty: nothing. Whatever it is, the report is worth telling.
 std::string finish_recording(Attempt& attempt, RunReport& report,
                              std::span<const hal::Mark> marks = {});
 
@@ -128,8 +127,8 @@ void watch_processes(Session& session, Attempt* attempt);
 // Tells on standard error what the machine refuses; returns `fit`.
 bool tell_of_host(const Session& session, bool fit);
 RunReport report_of(const Session& session, const Attempt& attempt);
-// The organ's first resonance, for a report. Without memory for it, tells so, and gives numbers
-// that are none: a run that has ended well is still reported.
+// The organ's first resonance, for a report. If memory is too short for it, says so and gives NaN:
+// a run that ended well is reported all the same.
 Resonance resonance_of(const Session& session);
 // Tells faults, losses and files that a user should know of on standard error; true: any were told.
 bool tell_of_trouble(const Session& session, const Attempt& attempt);

@@ -35,7 +35,7 @@ bool wait_for_room(Stream& stream) {
   return true;
 }
 
-// At a time no more than a pipe that has room takes at once.
+// Writes pieces so short that a pipe which has room takes each of them without waiting.
 ssize_t write_bounded(void* cookie, const char* bytes, std::size_t size) {
   Stream& stream = *static_cast<Stream*>(cookie);
   std::size_t done = 0;
@@ -58,7 +58,7 @@ void bind(Stream& stream, std::FILE*& standard, int buffering) {
   std::fflush(standard);
   std::FILE* const bounded =
       ::fopencookie(&stream, "w", {nullptr, write_bounded, nullptr, nullptr});
-  if (bounded == nullptr) return;  // no memory: as it was
+  if (bounded == nullptr) return;  // no memory: the stream stays as it was
   (void)std::setvbuf(bounded, nullptr, buffering, BUFSIZ);
   standard = bounded;
   stream.bound = true;

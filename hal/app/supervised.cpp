@@ -54,7 +54,7 @@ void Supervised::alive() {
   tell("WATCHDOG=1");
 }
 
-// A word that systemd does not take now is told again by the next.
+// What systemd does not take now, the next call tells again.
 void Supervised::tell(const std::string& words) const {
   if (socket_ < 0) return;
   sockaddr_un to{};

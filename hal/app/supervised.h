@@ -11,13 +11,13 @@ namespace stylet::app {
 
 class Supervised {
  public:
-  Supervised();  // by the environment, which it leaves as it is
+  Supervised();  // reads the environment, and leaves it as it is
   ~Supervised();
   Supervised(const Supervised&) = delete;
   Supervised& operator=(const Supervised&) = delete;
 
   void ready() const { tell("READY=1"); }
-  // As often as one likes: four times in the unit's WatchdogSec at most are told.
+  // Call it as often as you like: systemd is told at most four times in the unit's WatchdogSec.
   void alive();
 
  private:

@@ -24,7 +24,8 @@
 namespace stylet::console {
 
 constexpr const char* kConsoleRole = "console";
-// Longest wait for room in the socket, which holds some hundred messages; then it is killed.
+// Longest wait for room in the socket, which holds some hundred messages; then the console's
+// process is killed.
 constexpr double kShowPatienceS = 0.5;
 
 struct PointerLeft {};
@@ -50,7 +51,8 @@ class ConsoleProcess {
 
   // What a page asks for.
   std::optional<Wish> next(double patience_s);
-  // Whether it has given a sign of life within `seconds`, if this is called now and then.
+  // Whether it has given a sign of life in the last `seconds`. A sign counts from the call that
+  // finds it, so call this more often than that.
   bool alive_within(double seconds);
   hal::SideProcess& process() { return process_; }
 

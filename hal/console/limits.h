@@ -33,7 +33,8 @@ constexpr std::uint32_t kMaxMessagesPerSecond = 2000;
 constexpr std::size_t kMaxNameBytes = 64;
 constexpr std::size_t kMaxMarkBytes = 500;
 // From the frame that showed a fault to its acknowledgement. If later: refused, must be sent again.
-// An estimate: a frame, a press and the way there take a tenth; a hand expects force no longer.
+// An estimate: the frame, the press of the button and their way take a tenth of it; and after a
+// second a hand no longer expects that the force comes back.
 constexpr double kAcknowledgeLifeS = 1;
 
 // ---- what is kept for pages
@@ -43,12 +44,12 @@ constexpr std::chrono::milliseconds kFramePause{16};
 // here; the recording keeps the first kMaxMarksKept.
 constexpr std::size_t kMaxScoresKept = 32;
 constexpr std::size_t kMaxMarksKept = 200;
-// Messages that wait for one page, besides those that greet it; and, if more than one waits, their
-// bytes. If more: closed.
+// Messages that wait for one page, without those that greet it; and their bytes, of which a single
+// message may have more. If more: closed.
 constexpr std::size_t kMaxWaitingMessages = 64 + kMaxScoresKept + kMaxMarksKept;
 constexpr std::size_t kMaxWaitingBytes = std::size_t{32} << 20U;
-// What else the system may keep of them for one page: by itself it would keep megabytes, and nobody
-// would notice a page that never reads.
+// What the system may keep for one page besides. Unless told, it keeps megabytes, and nobody would
+// notice a page that never reads.
 constexpr int kSendBufferBytes = 256 * 1024;
 // Rows between recorder and console. When full, rows are missing in the plots, and counted.
 constexpr std::size_t kRowRing = 16384;
@@ -68,7 +69,8 @@ constexpr std::uint32_t kTimingBins = 100;
 constexpr float kTimingBinUs = 10;
 
 // ---- playback
-// Snapshots of a recording's kernel. In a long recording or a large organ they are farther apart.
+// Memory for snapshots of a recording's kernel. The longer the recording and the larger the organ,
+// the farther apart they are; the second number is their least distance.
 constexpr std::size_t kSnapshotBytes = std::size_t{512} << 20U;
 constexpr std::uint64_t kLeastSnapshotTicks = 100;
 // From a snapshot to a picture when playing backwards. If longer: the snapshot is shown.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shows a recording at any tick and any speed, also backwards: a kernel of its own repeats the
-// recorded inputs. Snapshots of it are taken on the way, and ahead while nothing is asked for, so
-// that no tick is farther from a snapshot than the distance of two.
+// recorded inputs. Snapshots of it are taken on the way, and of later ticks while nothing is asked
+// for, so that no tick is farther from a snapshot than two snapshots are from each other.
 //
 // Backwards each picture is computed anew from a snapshot. If that takes longer than
 // `longest_way_s`, only the snapshots are shown, as key frames.
@@ -54,7 +54,7 @@ class Player {
   struct Wish {
     double tick = 1;
     double speed = 0;
-    std::uint64_t number = 0;  // number of the wish
+    std::uint64_t number = 0;  // grows with each
   };
 
   void work();

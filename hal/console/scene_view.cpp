@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kUnnamed = std::numeric_limits<std::uint32_t>::max();
 
-// Of a node, by its place in the lattice, whose planes say the level.
+// Where a node lies at rest. z is its plane in the lattice, which also says its level.
 stylet::Vec3 corner_at(const Organ& organ, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   const std::uint32_t level = level_of(organ.level_planes, z);
   const float h = organ.voxel_edge_m * edge_ratio(level);

@@ -15,7 +15,7 @@
 
 namespace stylet::console {
 
-// The particles that voxels consist of, with numbers of their own.
+// The particles that voxels consist of, counted in the order in which voxels name them first.
 struct Lattice {
   std::vector<stylet::Vec3> rest_m;
   std::vector<std::uint32_t> corners;    // 8 for each voxel

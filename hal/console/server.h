@@ -63,9 +63,10 @@ class Server {
   void show(std::shared_ptr<const SceneView> view);
   void show(Activity activity);
   void refuse(const std::string& what);  // told to the page in control
-  // Of the attempt whose rows were told last, or of the recording.
+  // The attempt is the one whose rows were told last, or the recording.
   void show(const ScoredAttempt& attempt);
-  // Here the recorder tells its rows; if full they are lost and counted. One writer.
+  // Takes the recorder's rows and events, from one thread. False: the queue is full, and this one
+  // is lost.
   bool tell(const Told& told);
   // For a recording, instead of tell(): its whole curve and its marks.
   void show(std::shared_ptr<const Curve> curve, std::span<const hal::Mark> marks);

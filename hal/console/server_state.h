@@ -69,7 +69,7 @@ struct Server::Impl {
 
   ServerConfig config;
   ServerEvents events;
-  std::size_t connections = 0;  // must outlive those in the context
+  std::size_t connections = 0;  // must outlive the connections in `io`
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
   asio::steady_timer timer{io};

@@ -40,7 +40,7 @@ struct Client {
 
 struct News {
   std::array<TickRecord, kMaxNeedles> record = {};
-  std::uint32_t needles = 0;  // of which records have come
+  std::uint32_t needles = 0;  // whose records have come
 };
 
 int listen_on(const IgtlConfig& config) {

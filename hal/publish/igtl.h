@@ -15,9 +15,10 @@
 // Positions are in mm, protocol version 1. Frame: RAS. The world is taken for LPS, as segmentations
 // are here and mesh files are in 3D Slicer, so x and y change their sign.
 //
-// Promises: the loop knows nothing of it: its thread has the lowest priority, in a process of its
-// own (igtl_process.h), in which post() is called. A client that reads too slowly misses frames
-// and is closed after kIgtlPatience; what a client sends is read and discarded, at a bounded rate.
+// Promises: the loop knows nothing of it, because it runs in a process of its own (igtl_process.h),
+// which calls post(); its thread has the lowest priority. A client that reads too slowly misses
+// frames and is closed after kIgtlPatience; what a client sends is read and discarded, at a bounded
+// rate.
 // Listens on loopback unless told otherwise. Protocol: openigtlink.org. Units: SI here.
 #pragma once
 

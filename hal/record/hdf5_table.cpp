@@ -15,8 +15,8 @@ namespace stylet::hal::hdf5 {
 namespace {
 
 constexpr unsigned kDeflateLevel = 1;  // of zlib's nine: the fastest
-// A chunk is read as a whole. The largest that is written is 4096 rows of four numbers of 8 bytes;
-// 16 of them together are read too, such as other tools make when they pack a file anew.
+// A chunk is read as a whole. The largest that is written is 4096 rows of four numbers of 8 bytes.
+// Chunks 16 times as large are read as well, because other tools make larger ones when they repack.
 constexpr hsize_t kMaxChunkBytes = hsize_t{16} * 4096 * 4 * 8;
 
 }  // namespace
@@ -59,10 +59,10 @@ void quieten() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 void prepare_library() {
-  // Where memory is short the library crashes while it makes a file's caches, or takes the file for
-  // damaged. It needs 3 MB for ours.
+  // If memory is short, the library crashes while it makes a file's caches, or takes the file for
+  // damaged. It needs 3 MB for our files; so this throws first.
   constexpr std::size_t kRoom = std::size_t{8} << 20U;
-  ::operator delete(::operator new(kRoom));  // an expression with `new` may be left out
+  ::operator delete(::operator new(kRoom));  // the compiler may leave out an expression with `new`
   H5dont_atexit();
   quieten();
 }

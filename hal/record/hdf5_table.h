@@ -92,8 +92,8 @@ class Table {
   // How many rows the column has; fails if its type is wrong.
   std::uint64_t check(const Column& column, hid_t set) const;
 
-  // For how many rows the file holds numbers. It may claim more: they would be read as zeros, for
-  // as long as there is memory.
+  // How many rows the file really holds. A damaged file may claim more, which would be read as
+  // zeros until memory is full.
   std::uint64_t stored_rows(const Column& column, hid_t set) const;
 
   bool transfer(std::size_t c, std::uint64_t first, std::size_t count, bool write);

@@ -79,7 +79,7 @@ class RecorderProcess {
  private:
   using Clock = std::chrono::steady_clock;
   std::optional<Bytes> ask(const Packer& question);
-  // Whether nothing was taken for kSidePatienceS, `idle` or not.
+  // Whether nothing was taken for kSidePatienceS; while it is `idle`, it has nothing to take.
   bool takes_nothing(bool idle);
 
   SideProcess process_;

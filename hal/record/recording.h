@@ -56,7 +56,8 @@ struct Mark {
 
 class RecordingWriter {
  public:
-  // `name`: what the file is called in the end if `path` is taken by then; empty: it replaces.
+  // `name`: gives the file another name if `path` is taken in the end; empty: what is there is
+  // replaced.
   RecordingWriter(const std::string& path, const RecordingInfo& info, OutputName name = {});
   ~RecordingWriter();  // without finish() it removes the temporary file
   RecordingWriter(const RecordingWriter&) = delete;
@@ -68,8 +69,8 @@ class RecordingWriter {
   // Returns the name that the file got.
   std::string finish(std::uint64_t final_state_hash, std::uint64_t lost_records,
                      std::span<const Mark> marks = {});
-  // Instead of finish(): writes all to the disk and leaves it as the temporary file. How many ticks
-  // that holds.
+  // Instead of finish(): writes all to the disk and leaves it as the temporary file. Returns how
+  // many ticks that holds.
   std::uint64_t leave();
   // Ticks whose first needle's record is on the disk.
   std::uint64_t ticks_kept() const;

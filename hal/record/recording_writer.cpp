@@ -91,8 +91,8 @@ hid_t create_file(const std::string& path) {
   return H5Fcreate(path.c_str(), H5F_ACC_EXCL, create_list.id, access_list.id);
 }
 
-// A name beside the recording that nothing has: another process with this number, in a container or
-// before the machine started again, may have left its own.
+// A free name beside the recording. Another process with the same number, in a container or before
+// the machine was started again, may have left a file of its own.
 std::string temporary_beside(const std::string& path) {
   constexpr int kMostTried = 1000;
   std::string name = fmt::format("{}.{}.tmp", path, getpid());
@@ -163,7 +163,7 @@ void RecordingWriter::append(std::span<const Event> events) {
 std::uint64_t RecordingWriter::leave() {
   if (!file_->temporary.empty()) file_->put_down_all();
   const std::uint64_t kept = ticks_kept();
-  if (kept > 0) file_->temporary.clear();  // else it goes with the file
+  if (kept > 0) file_->temporary.clear();  // else the destructor removes the file
   file_.reset();
   return kept;
 }

@@ -2,8 +2,7 @@
 /* Stylet in Godot 3: a GDNative library with one class, Stylet, over the interface in C. An object
  * is an organ with a needle in it. README.md says how it is built and what each function is for.
  *
- * What passes every frame lies
- * in arrays that are made once: a frame allocates nothing here. */
+ * The arrays that are passed in every frame are made once, so a frame allocates nothing here. */
 #include <gdnative_api_struct.gen.h>
 #include <math.h>
 #include <stddef.h>
@@ -82,7 +81,7 @@ static const struct {
                 {"tip_half_angle_rad", offsetof(stylet_needle, tip_half_angle_rad)},
                 {"torn_diameters", offsetof(stylet_needle, torn_diameters)}};
 
-/* False: there is no such number, or `value` is none. */
+/* False: a needle has no number of this name, or `value` is not a number. */
 static bool set_number(stylet_needle* needle, const char* name, const godot_variant* value) {
   if (!is_number(value)) return false;
   if (strcmp(name, "rods") == 0) {
@@ -98,7 +97,7 @@ static bool set_number(stylet_needle* needle, const char* name, const godot_vari
   return false;
 }
 
-/* Sets what the dictionary names; what it names wrongly is written to `fault`. */
+/* Sets the numbers that the dictionary has; the first that is wrong is told in `fault`. */
 static bool read_needle(const godot_variant* from, stylet_needle* needle, char* fault,
                         size_t room) {
   godot_dictionary all = g_api->godot_variant_as_dictionary(from);
@@ -122,7 +121,7 @@ static bool read_needle(const godot_variant* from, stylet_needle* needle, char* 
   return good;
 }
 
-/* The surface and what it is shown with, made once. */
+/* Makes the arrays in which the surface is passed on. */
 static bool make_room(stylet_object* it) {
   it->vertices = stylet_simulation_surface(it->simulation, NULL, 0);
   it->triangles = stylet_organ_triangles(it->organ, NULL, 0);
@@ -180,7 +179,7 @@ static godot_variant move_method(stylet_object* it, godot_variant** words) {
   return nothing();
 }
 
-/* tick(count): so many ticks. */
+/* tick(count): computes this many ticks. */
 static godot_variant tick_method(stylet_object* it, godot_variant** words) {
   const int64_t ticks = g_api->godot_variant_as_int(words[0]);
   for (int64_t i = 0; it->simulation != NULL && i < ticks; ++i) {
@@ -220,7 +219,7 @@ static godot_variant event_method(stylet_object* it, godot_variant** words) {
   return of_text(found == 0 ? "" : stylet_event_name(all[found - 1].kind));
 }
 
-/* state(): the hash of all that is simulated, the same in every program. */
+/* state(): a hash of all that is simulated; the same ticks give the same one in every program. */
 static godot_variant state_method(stylet_object* it, godot_variant** words) {
   (void)words;
   const uint64_t hash = stylet_simulation_hash(it->simulation);
@@ -335,7 +334,7 @@ static godot_variant mesh_method(stylet_object* it, godot_variant** words) {
   return out;
 }
 
-/* needle(): places of the needle from handle to tip; none before its first tick. */
+/* needle(): points along the needle, from handle to tip; none before its first tick. */
 static godot_variant needle_method(stylet_object* it, godot_variant** words) {
   (void)words;
   stylet_vec3 nodes[STYLET_MAX_RODS + 1];
@@ -424,7 +423,7 @@ static bool fits(const method_of_class* method, int count, godot_variant** words
   return good;
 }
 
-/* Which method it is comes as `data`. */
+/* `data` is the method that was called. */
 static godot_variant call(godot_object* self, void* data, void* user, int count,
                           godot_variant** words) {
   (void)self;

@@ -9,7 +9,7 @@
 #include <gdnative_api_struct.gen.h>
 #include <stylet/stylet.h>
 
-static const godot_gdnative_core_api_struct* g_api; /* from Godot, at its start */
+static const godot_gdnative_core_api_struct* g_api; /* Godot gives it when it loads the library */
 
 static inline stylet_vec3 to_godot(stylet_vec3 v) {
   const stylet_vec3 out = {v.x, v.z, 0 - v.y}; /* no negative zero, which has other bits */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many simulations, which threads of the library run at once. The bits do not depend on the number
-// of threads.
+// Many simulations that run at once, in threads of the library. Whatever the number of threads, the
+// results are the same, bit for bit.
 using System;
 
 namespace Stylet {

@@ -46,14 +46,15 @@ public sealed unsafe class Guard : IDisposable {
     own.struct_bytes = (uint)sizeof(Sample);
     return Native.stylet_guard_sample(handle, &own, now_ns) != 0;
   }
-  // What to send instead. Call Torque after Force.
+  // Of a force that you want to send: the one that you may send. Call Torque after Force.
   public Vec3 Force(Vec3 force_n) { return Native.stylet_guard_force(handle, force_n); }
   public Vec3 Torque(Vec3 torque_nm) { return Native.stylet_guard_torque(handle, torque_nm); }
-  // Call this instead of them at the end of a run, until it returns true: the force has faded.
+  // At the end of a run call this instead of Sample, Force and Torque, until it returns true: then
+  // the force has faded.
   public bool End(long now_ns) { return Native.stylet_guard_end(handle, now_ns) != 0; }
   public void Trip(uint fault) { StyletException.Check(Native.stylet_guard_trip(handle, fault)); }
-  // Acknowledges the fault that somebody has seen. True: it was the latched one; the guard begins
-  // anew.
+  // Acknowledges the fault that somebody has seen. True: it is the one that the guard has latched,
+  // and the guard begins anew.
   public bool Rearm(uint fault_seen) {
     return Native.stylet_guard_rearm(handle, fault_seen) != 0;
   }

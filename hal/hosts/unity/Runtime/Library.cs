@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which library runs.
+// Version and build of the library that was loaded.
 using System.Runtime.InteropServices;
 
 namespace Stylet {
@@ -10,7 +10,7 @@ public static class Library {
   public static uint VersionNumber() { return Native.stylet_version(); }
   // Compiler, and the instruction set that the tissue step uses on this processor.
   public static string Build() { return Marshal.PtrToStringAnsi(Native.stylet_build_text()); }
-  // A library reads the snapshots of every library with the same number.
+  // A snapshot can be read by every library with the same number.
   public static ulong StateLayout() { return Native.stylet_state_layout(); }
 }
 

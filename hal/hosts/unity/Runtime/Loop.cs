@@ -129,7 +129,7 @@ public sealed unsafe class Loop : IDisposable {
     StyletException.Check(Native.stylet_loop_get_report(handle, ref report));
     return report;
   }
-  // What this machine refused the loop; known when the loop has ended. Empty: nothing.
+  // The rights that this machine refused to the loop; known when the loop has ended. Empty: none.
   public string Lacks() { return handle.TextOf(() => Native.stylet_loop_lacks(handle)); }
   // Why a needle's device does not answer; empty: it does.
   public string Trouble(int needle) {

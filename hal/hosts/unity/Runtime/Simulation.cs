@@ -60,7 +60,7 @@ public sealed unsafe class Organ : IDisposable {
     Info = new OrganInfo { struct_bytes = (uint)sizeof(OrganInfo) };
     StyletException.Check(Native.stylet_organ_get_info(Handle, ref Info));
     Name = Marshal.PtrToStringAnsi(Info.name);
-    GC.KeepAlive(handle);  // whose memory the name was in
+    GC.KeepAlive(handle);  // the name was in its memory
     Info.name = IntPtr.Zero;
   }
 
@@ -115,7 +115,6 @@ public sealed unsafe class Organ : IDisposable {
     StyletException.Check(Native.stylet_organ_get_material(Handle, (uint)index, ref material));
     return material;
   }
-  // The name of a material of this organ.
   public string NameOf(int index) { return Handle.TextOf(() => Material(index).name); }
   // False: the ray does not meet the surface at rest.
   public bool Raycast(Vec3 origin_m, Vec3 direction, out float distance_m) {

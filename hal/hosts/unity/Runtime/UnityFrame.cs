@@ -24,7 +24,7 @@ public static class UnityFrame {
     return Simulation.PoseOfTip(FromUnity(hand.position), FromUnity(hand.forward),
                                 needle.length_m);
   }
-  // The first `count` places of a needle.
+  // `nodes`: points along the needle, of which the first `count` are drawn.
   public static void Draw(LineRenderer line, Vec3[] nodes, int count) {
     line.positionCount = count;
     for (int i = 0; i < count; ++i) line.SetPosition(i, ToUnity(nodes[i]));
