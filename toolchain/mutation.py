@@ -155,6 +155,7 @@ OFFLINE = {
                      "voxels/crop", "asset/write_organ", "pipeline/build"), VOXELS),
     **dict.fromkeys(("voxels/cell_walk", "voxels/losses", "pipeline/given"),
                     [LOSSES, ["offline_losses_test", "--gtest_filter=Obstacles.*"]]),
+    "pipeline/skins": [["offline_skins_test"]],
     "pipeline/settings": [["offline_organ_test", "--gtest_filter=Settings.*"]],
     **dict.fromkeys(("meshes/phantom", "meshes/implicit_mesh"),
                     [ORGANS, ["offline_solid_test"],

@@ -39,9 +39,10 @@ float shear_modulus_pa(float youngs_modulus_pa, float lambda_pa) {
 }
 
 // In paper mode every voxel has the stiffness that the averaged goals with factor alpha have at
-// this step, and no volume term (Mueller et al. 2005).
+// this step, and no volume term (Mueller et al. 2005). `skin_area` is that of the skin in a voxel,
+// in squares of its edge, over how full the voxel is.
 LatticeMaterial lattice_material(const Material& m, const Config& config, float edge_m,
-                                 float substep_s) {
+                                 float substep_s, float skin_area = 1) {
   if (config.mode == Mode::kPaper) {
     const float mass_share = m.density_kg_per_m3 * edge_m * edge_m * edge_m / 8;
     return {config.paper_alpha * mass_share / (substep_s * substep_s) / edge_m, 0};
@@ -53,8 +54,8 @@ LatticeMaterial lattice_material(const Material& m, const Config& config, float 
   // all: for a liver's capsule five times as fast, squared.)
   const float lambda_pa =
       2 * (m.youngs_modulus_pa / per_shear) * m.poisson_ratio / (1 - 2 * m.poisson_ratio);
-  const float shear_pa =
-      shear_modulus_pa(m.youngs_modulus_pa + m.membrane_n_per_m / edge_m, lambda_pa);
+  const float skin_pa = skin_area * (m.membrane_n_per_m / edge_m);
+  const float shear_pa = shear_modulus_pa(m.youngs_modulus_pa + skin_pa, lambda_pa);
   return {shear_pa, lambda_pa / (2 * shear_pa)};
 }
 
@@ -210,6 +211,7 @@ void fill_slots(const Organ& organ, Model& model, const Counts& counts) {
     model.slot_mixed[i] = kNotMixed;
   }
   std::uint32_t voxel = 0;
+  std::size_t skin = 0;
   for (const OrganRun& run : organ.runs) {
     const std::uint32_t row_index = row_at(model, run.x, run.y, run.z);
     const Row& row = model.row[row_index];
@@ -221,8 +223,14 @@ void fill_slots(const Organ& organ, Model& model, const Counts& counts) {
       const float fill = max_of(static_cast<float>(organ.voxel_fill[voxel]) / 255.0F, kMinFill);
       model.voxel_slot[voxel] = slot;
       model.voxel_row[voxel] = row_index;
-      model.slot_k[slot] = m.lattice[level].shear_pa * head.level[level].edge_m * fill;
-      model.slot_volume[slot] = m.lattice[level].volume_ratio;
+      LatticeMaterial lattice = m.lattice[level];
+      if (skin < organ.skins.size() && organ.skins[skin].voxel == voxel) {
+        lattice =
+            lattice_material(organ_material(organ, material), head.config, head.level[level].edge_m,
+                             head.substep_s, organ.skins[skin++].area / fill);
+      }
+      model.slot_k[slot] = lattice.shear_pa * head.level[level].edge_m * fill;
+      model.slot_volume[slot] = lattice.volume_ratio;
       if (stiffens(model)) model.slot_stiffening[slot] = m.stiffening;
       model.slot_fill[slot] = fill;
       model.slot_material[slot] = material;

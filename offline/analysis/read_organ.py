@@ -24,7 +24,8 @@ ORGAN = {"format_version": "<I", "name": "", "voxel_edge_m": "<f", "origin_x_m":
          "materials": "", "vertices": "u4,u2,u2,u2,u2", "triangles": "u4,u4,u4",
          "sphere_nodes": "f4,f4,f4,f4,u4,u4", "provenance": "",
          "mixed": "u4,u2,u2,f4,f4,f4,f4", "sheets": SHEETS,
-         "content_sha256": "u1", "membranes": MEMBRANES, "slides": SLIDES, "levels": LEVELS}
+         "content_sha256": "u1", "membranes": MEMBRANES, "slides": SLIDES, "levels": LEVELS,
+         "skins": "u4,f4"}
 
 
 def read_table(data, root, fields, out):
@@ -49,8 +50,8 @@ def read_organ(path):
         raise ValueError(f"{path}: not an organ file: expected the letters STLO at byte 4")
     organ = read_table(data, struct.unpack_from("<I", data)[0], ORGAN, {})
     version = organ.get("format_version", 0)
-    if version not in (1, 2, 3, 4, 5):
-        raise ValueError(f"{path}: format version {version}: expected 1 to 5")
+    if version not in range(1, 7):
+        raise ValueError(f"{path}: format version {version}: expected 1 to 6")
     known = organ.get("content_sha256", np.empty(0)).tobytes()
     if (version > 1 or known) and hashlib.sha256(data.replace(known, b"", 1)).digest() != known:
         raise ValueError(f"{path}: content_sha256: not the sum of its bytes: some byte has changed")

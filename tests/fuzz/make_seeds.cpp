@@ -45,7 +45,7 @@ void write_sheets(const std::string& path) {
   write(path, builder.GetBufferPointer(), builder.GetSize());
 }
 
-// What only a file of version 5 may have: two levels, in two sheets; and a membrane across both.
+// What only new files may have: two levels, in two sheets; a membrane across both; and skins.
 void write_levels(const std::string& path) {
   Graded graded;
   graded.nx = 2;
@@ -60,6 +60,9 @@ void write_levels(const std::string& path) {
     organ->membranes->cells.emplace_back(x, 0, 0, 0, x, 1, 0.5F);
   }
   organ->membranes->cells.emplace_back(0, 0, 2, 0, 0, 0, 0.9F);
+  organ->format_version = 6;
+  organ->materials[0]->membrane_n_per_m = 50;
+  organ->skins = {format::Skin(0, 0.5F), format::Skin(1, 0)};
   const std::vector<std::byte> bytes = bytes_of(*organ);
   write(path, bytes.data(), bytes.size());
 }

@@ -114,8 +114,8 @@ std::vector<Case> lattice_cases() {
     o.runs[i] = format::Run(x, old.y(), old.z(), count);
   };
   return {
-      {"version", [](Owner& o) { o.format_version = 6; }, Status::kOrganVersionUnknown,
-       "format_version", 0, 6, "version 1 to 5"},
+      {"version", [](Owner& o) { o.format_version = 7; }, Status::kOrganVersionUnknown,
+       "format_version", 0, 7, "version 1 to 6"},
       {"sum", [](Owner& o) { o.content_sha256.assign(20, 1); }, Status::kOrganSizesDisagree,
        "content_sha256", 0, 20, "32 bytes, or none"},
       {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,
@@ -190,6 +190,30 @@ std::vector<Case> mixed_cases() {
        "-2 to 2"},
       {"not a number", mixed(Mixed(3, kNoTissue, 0, nan, 0, 0, 0)), range, "mixed.nx", 0,
        static_cast<double>(nan), "-1 to 1"},
+  };
+}
+
+std::vector<Case> skin_cases() {
+  const auto skins = [](auto... of) {
+    return [of...](Owner& o) {
+      o.format_version = 6;
+      o.skins = {of...};
+    };
+  };
+  using format::Skin;
+  const Status range = Status::kOrganValueOutOfRange;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  return {
+      {"in an old file", [](Owner& o) { o.skins = {Skin(0, 1)}; }, Status::kOrganVersionUnknown,
+       "skins", 0, 1, "format version 6 where there are skins"},
+      {"voxel", skins(Skin(12, 1)), Status::kOrganIndexOutOfRange, "skins.voxel", 0, 12,
+       "a voxel of the lattice"},
+      {"voxel twice", skins(Skin(3, 1), Skin(3, 0.5F)), Status::kOrganOrderWrong, "skins.voxel", 1,
+       3, "voxels in rising order, each once"},
+      {"area", skins(Skin(3, 256.5F)), range, "skins.area", 0, 256.5, "0 to 256"},
+      {"negative", skins(Skin(3, -0.5F)), range, "skins.area", 0, -0.5, "0 to 256"},
+      {"not a number", skins(Skin(3, nan)), range, "skins.area", 0, static_cast<double>(nan),
+       "0 to 256"},
   };
 }
 
@@ -430,6 +454,7 @@ TEST(OrganOpen, RefusesMaterialsWithTheirPlace) {
 TEST(OrganOpen, RefusesLatticesWithTheirPlace) {
   for (const Case& c : lattice_cases()) expect_refused(c);
   for (const Case& c : mixed_cases()) expect_refused(c);
+  for (const Case& c : skin_cases()) expect_refused(c);
 }
 TEST(OrganOpen, RefusesSurfacesWithTheirPlace) {
   for (const Case& c : surface_cases()) expect_refused(c);
@@ -459,7 +484,8 @@ TEST(OrganOpen, RefusesSlidesWithTheirPlace) {
 
 // The tree is checked last.
 TEST(OrganOpen, OfTwoFaultsNamesTheFirst) {
-  for (const std::vector<Case>& cases : {material_cases(), lattice_cases(), mixed_cases()}) {
+  for (const std::vector<Case>& cases :
+       {material_cases(), lattice_cases(), mixed_cases(), skin_cases()}) {
     for (Case c : cases) {
       c.change = [first = c.change](Owner& o) {
         first(o);

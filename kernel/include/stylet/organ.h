@@ -68,6 +68,11 @@ struct OrganSlideGround {  // a voxel of the other part, near its surface
   float distance[8];  // of its corners to that surface, in edges, positive outside
 };
 
+struct OrganSkin {  // the surface in a voxel of a material with a skin
+  std::uint32_t voxel;
+  float area;  // in squares of the voxel's edge
+};
+
 struct OrganHanging {  // a node, and the voxel of a coarser level with which it moves
   std::uint16_t x, y, z, voxel_x, voxel_y, voxel_z;
 };
@@ -101,6 +106,7 @@ struct Organ {
   std::span<const OrganSlidePoint> slide_points;
   std::span<const OrganSlideGround> slide_grounds;  // sorted by voxel
   std::span<const OrganHanging> hanging;            // sorted by z, y, x
+  std::span<const OrganSkin> skins;                 // sorted by voxel
   // SHA-256 of all bytes of the file but these 32, or empty (format version 1). Whoever loads a
   // file checks it: the kernel cannot compute a SHA-256.
   std::span<const std::uint8_t> content_sha256;

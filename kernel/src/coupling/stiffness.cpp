@@ -36,6 +36,8 @@ constexpr float kLeastLayer = 0.01F;
 // The tip's own spring has at least this part of the lattice's compliance: with less, tissue
 // dragged far gained energy.
 constexpr float kLeastOwnPart = 0.25F;
+// Under a thin skin, which tissue does not drag, less is enough (PHYSICS 8.4).
+constexpr float kLeastUnderSkin = 0.05F;
 // A row of CPs with even weights moves like a cylinder of this radius, in voxel edges: at Poisson
 // ratio 0, and how much less at 1. The compliance of its springs counts this many times: they also
 // let the voxels slip across each other (measured: tests/fidelity/coupling/stiffness_test.cpp).
@@ -97,39 +99,59 @@ void set_relaxation(const ModelHead& head, Particle& p) {
 // Tissue under the tip in contact: the deeper of the two layers of voxels that hold it, and how
 // many times stiffer the upper one is; the sum of the squares of the weights if all were one
 // tissue; and that sum times how far beside the voxel's middle they act. The mean offset of the
-// supports is along the needle, because the place they surround lies an edge below the tip.
+// supports is along the needle, because the place they surround lies below the tip. Under a thin
+// skin the upper layer are the voxels with the skin, as stiff as they are filled.
 struct Footing {
   float deep_pa, upper_ratio, squares, beside;
   float edge_m;  // of its voxels
 };
 
+// A voxel of them: the modulus of what fills it, that over all of its cell, and how much of it
+// belongs to the upper layer. `along` is the needle's direction, over edges.
+struct Layered {
+  float filled_pa, whole_pa, upper;
+};
+
+Layered layered(const Model& model, const Support& support, Vec3 along, bool under_skin) {
+  const Row& row = model.row[support.row];
+  if (under_skin) {
+    const float whole_pa = model.slot_k[support.slot] / level_of(model, row).edge_m;
+    return {whole_pa / model.slot_fill[support.slot], whole_pa,
+            has_skin(model, support.slot) ? 1.0F : 0.0F};
+  }
+  const MaterialModel& m = model.head->material[model.slot_material[support.slot]];
+  const float shear_pa = m.lattice[model.plane[row.plane].level].shear_pa;
+  return {shear_pa, shear_pa, clamp(1.5F - dot(support.offset_m, along), 0, 1)};
+}
+
 Footing ground_under(const Model& model, const Particle& p) {
   const ModelHead& head = *model.head;
   const float edge_m = level_of(model, p).edge_m;
+  const bool under_skin = model.forces[p.material].film.force_n > 0;
   Vec3 mean = {};
   for (std::uint32_t i = 0; i < p.support_count; ++i) {
     mean = mean + p.support[i].weight * p.support[i].offset_m;
   }
-  const Vec3 along = (1 / (max_of(norm(mean), 1e-6F) * edge_m)) * mean;  // over edges
+  const Vec3 along = (1 / (max_of(norm(mean), 1e-6F) * edge_m)) * mean;
   float all = 0, upper = 0, upper_pa = 0, deep_pa = 0, squares = 0, beside = 0;
   for (std::uint32_t i = 0; i < p.support_count; ++i) {
     const Support& support = p.support[i];
-    const MaterialModel& m = head.material[model.slot_material[support.slot]];
-    const float shear_pa = m.lattice[model.plane[model.row[support.row].plane].level].shear_pa;
+    const Layered of = layered(model, support, along, under_skin);
     const float part =
-        support.weight / std::sqrt(max_of(shear_pa, 1));  // support_deeper took the root
-    const float above = part * clamp(1.5F - dot(support.offset_m, along), 0, 1);
+        support.weight / std::sqrt(max_of(of.filled_pa, 1));  // support_deeper took the root
+    const float above = part * of.upper;
     const Vec3 arm = cross(support.offset_m, along);
     all += part;
     upper += above;
-    upper_pa += above * shear_pa;
-    deep_pa += (part - above) * shear_pa;
+    upper_pa += above * of.whole_pa;
+    deep_pa += (part - above) * of.whole_pa;
     squares += part * part;
     beside += part * part * dot(arm, arm);
   }
   const float deep = all - upper, few = kLeastLayer * all, all2 = max_of(all * all, 1e-30F);
   const float upper_mean = upper_pa / max_of(upper, 1e-30F);
-  const float deep_mean = max_of(deep > few ? deep_pa / deep : upper_mean, 1);
+  const float below_pa = under_skin ? head.material[p.material].shear_pa : upper_mean;
+  const float deep_mean = max_of(deep > few ? deep_pa / deep : below_pa, 1);
   const float ratio = upper > few ? clamp(upper_mean / deep_mean, 0.01F, 1000) : 1;
   return {deep_mean, ratio, squares / all2, beside / all2, edge_m};
 }
@@ -204,6 +226,11 @@ float inside_compliance(float poisson) {
   return kInsideGive - kInsideGiveSlope * poisson + kInsideGiveSquares * kMeanSquares;
 }
 
+// The least compliance of the spring of a tip in contact, over the lattice's.
+float least_own_part(const Model& model, const Particle& p) {
+  return model.forces[p.material].film.force_n > 0 ? kLeastUnderSkin : kLeastOwnPart;
+}
+
 // Stiffness of the voxels that hold a CP, membranes in them included.
 float held_n_per_m(const Model& model, const Particle& p) {
   float sum = 0;
@@ -233,7 +260,7 @@ void set_stiffness(const Model& model, State& state, Particle& particle, Role ro
     case Role::kSurface:
       target = wanted_punch(model, state, particle.material).stiffness_n_per_m;
       lattice_compliance = surface_compliance(footing_of(model, particle), nu);
-      least = kLeastOwnPart * lattice_compliance;
+      least = least_own_part(model, particle) * lattice_compliance;
       break;
     case Role::kTip:
       // As stiff as in contact, where tissue stiffens: what a puncture finds stored must not be
@@ -277,15 +304,16 @@ ContactLaw law_of(const Model& model, const State& state) {
   const Particle& tip = *state.tip;
   const MaterialModel& m = head.material[tip.material];
   // A snapshot may contain any number.
-  const float tissue = min_of(tip.tissue_compliance, 1 / kLeastOwnPart);
+  const float least = least_own_part(model, tip);
+  const float tissue = min_of(tip.tissue_compliance, 1 / least);
   const float whole = 1 + tissue, part = tissue / whole;  // over the spring's own; of all
   const Footing footing = footing_of(model, tip);
   const float unit_n = footing.deep_pa * footing.edge_m * footing.edge_m;
-  constexpr float kMostPart = 1 / (1 + kLeastOwnPart);
+  const float most_part = 1 / (1 + least);
   // Where tissue stiffens, the lattice does, too: it gives no faster under larger forces.
   const float faster = m.stiffening > 0 ? 0 : kGiveGrowth - kGiveGrowthSquares * footing.squares;
   const float growth = max_of(faster * place_part(footing), 1e-3F);
-  const float end = (kMostPart / max_of(part, 1e-3F) - 1) / (2 * growth);
+  const float end = (most_part / max_of(part, 1e-3F) - 1) / (2 * growth);
   const float punch_n_per_m = tip.full_stiffness_n_per_m / whole;
   const Punch wanted = wanted_punch(model, state, tip.material);
   const float most = min_of(punch_n_per_m / wanted.stiffness_n_per_m, 1);

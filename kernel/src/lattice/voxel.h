@@ -69,6 +69,11 @@ inline std::uint32_t particle_of(const Model& model, std::uint32_t node) {
 // Each of them gets the sum of their values.
 void sum_tied(const Model& model, float* of_node);
 
+// Whether a voxel's material has a thin skin.
+inline bool has_skin(const Model& model, std::uint32_t slot) {
+  return model.head->material[model.slot_material[slot]].skin_shear_n_per_m > 0;
+}
+
 // The best rotation of a matrix, searched near `start`.
 Quat rotation_of(const float a[9], Quat start);
 // The same for a voxel's corners alone.

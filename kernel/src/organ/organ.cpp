@@ -30,10 +30,11 @@ static_assert(sizeof(OrganPart) == sizeof(format::Part));
 static_assert(sizeof(OrganPoint) == sizeof(format::MembranePoint));
 static_assert(sizeof(OrganMembraneCell) == sizeof(format::MembraneCell));
 static_assert(sizeof(OrganSlidePoint) == sizeof(format::SlidePoint));
+static_assert(sizeof(OrganSkin) == sizeof(format::Skin));
 static_assert(sizeof(OrganHanging) == sizeof(format::Hanging));
 static_assert(sizeof(OrganSlideGround) == sizeof(format::SlideGround));
 
-constexpr std::uint32_t kNewestFormat = 5;
+constexpr std::uint32_t kNewestFormat = 6;
 constexpr float kMaxPointM = 8;  // every place that matters is nearer: see kMaxOriginM
 
 template <typename Mine, typename Theirs>
@@ -123,6 +124,24 @@ bool check_mixed(Checker& check, const Organ& organ, std::uint32_t version) {
         !check.in_range(m.ny, -1, 1, "mixed.ny", i, "-1 to 1") ||
         !check.in_range(m.nz, -1, 1, "mixed.nz", i, "-1 to 1") ||
         !check.in_range(m.limit, -2, 2, "mixed.limit", i, "-2 to 2")) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool check_skins(Checker& check, const Organ& organ, std::uint32_t version) {
+  if (!check.require(organ.skins.empty() || version >= 6, Status::kOrganVersionUnknown, "skins", 0,
+                     version, "format version 6 where there are skins")) {
+    return false;
+  }
+  for (std::size_t i = 0; i < organ.skins.size(); ++i) {
+    const OrganSkin& s = organ.skins[i];
+    if (!check.require(s.voxel < organ.voxel_count, Status::kOrganIndexOutOfRange, "skins.voxel", i,
+                       s.voxel, "a voxel of the lattice") ||
+        !check.require(i == 0 || s.voxel > organ.skins[i - 1].voxel, Status::kOrganOrderWrong,
+                       "skins.voxel", i, s.voxel, "voxels in rising order, each once") ||
+        !check.in_range(s.area, 0, kMaxTrianglesPerCell, "skins.area", i, "0 to 256")) {
       return false;
     }
   }
@@ -401,6 +420,7 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
   organ.voxel_fill = view(root.voxel_fill());
   organ.voxel_fixed = view(root.voxel_fixed());
   organ.mixed = view<OrganMixed>(root.mixed());
+  organ.skins = view<OrganSkin>(root.skins());
   organ.content_sha256 = view(root.content_sha256());
   organ.format_version = root.format_version();
   organ.vertices = view<OrganVertex>(root.vertices());
@@ -448,14 +468,15 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
       const format::Organ& root = *format::GetOrgan(data);
       const std::uint32_t version = root.format_version();
       if (check.require(version >= 1 && version <= kNewestFormat, Status::kOrganVersionUnknown,
-                        "format_version", 0, version, "version 1 to 5")) {
+                        "format_version", 0, version, "version 1 to 6")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
                check_sheets(check, organ, version) &&
                (root.levels() == nullptr || check_levels(check, organ)) &&
                check_materials(check, organ) && check_voxels(check, organ) &&
-               check_mixed(check, organ, version) && check_surface(check, organ) &&
-               check_spheres(check, organ) && check_membranes(check, organ, version) &&
+               check_mixed(check, organ, version) && check_skins(check, organ, version) &&
+               check_surface(check, organ) && check_spheres(check, organ) &&
+               check_membranes(check, organ, version) &&
                (root.slides() == nullptr || check_slides(check, organ)));
       }
     }

@@ -14,7 +14,8 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4, kWithLevels = 5;
+constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4, kWithLevels = 5,
+                        kWithSkins = 6;
 
 // Our plain structs and the generated structs have the same bytes.
 template <typename Theirs, typename Mine>
@@ -118,7 +119,11 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto slides = has_slides ? write_slides(builder, parts) : Offset<format::Slides>();
   const bool has_levels = parts.levels > 1;
   const auto levels = has_levels ? write_levels(builder, parts) : Offset<format::Levels>();
-  const std::uint32_t version = has_levels      ? kWithLevels
+  const bool has_skins = !parts.skins.empty();
+  const auto skins = has_skins ? write_structs<format::Skin>(builder, parts.skins)
+                               : Offset<flatbuffers::Vector<const format::Skin*>>();
+  const std::uint32_t version = has_skins       ? kWithSkins
+                                : has_levels    ? kWithLevels
                                 : has_slides    ? kWithSlides
                                 : has_membranes ? kWithMembranes
                                                 : kFormatVersion;
@@ -131,7 +136,7 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
                           f(parts.origin_m.y), f(parts.origin_m.z), u(parts.size_x),
                           u(parts.sheets * parts.sheet_rows), u(parts.size_z), runs, voxel_material,
                           voxel_fill, voxel_fixed, material_list, vertices, triangles, spheres,
-                          provenance, mixed, sheets, seal, membranes, slides, levels));
+                          provenance, mixed, sheets, seal, membranes, slides, levels, skins));
 }
 
 }  // namespace

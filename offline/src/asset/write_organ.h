@@ -33,6 +33,7 @@ struct OrganParts {
   std::uint32_t sheets = 1, sheet_rows = 0;  // sheets follow one another along y
   std::uint32_t levels = 1, level_planes = 0;
   std::vector<OrganHanging> hanging;  // only with several levels
+  std::vector<OrganSkin> skins;       // sorted by voxel
   std::vector<OrganRun> runs;
   std::vector<OrganTie> ties;            // only with several sheets
   std::vector<OrganPart> cell_parts;     // only with several sheets

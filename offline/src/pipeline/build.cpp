@@ -10,6 +10,7 @@
 #include "pipeline/membranes.h"
 #include "pipeline/pieces.h"
 #include "pipeline/refine.h"
+#include "pipeline/skins.h"
 #include "pipeline/slides.h"
 #include "pipeline/voxel_materials.h"
 #include "pipeline/wrapping.h"
@@ -353,9 +354,7 @@ Built build(std::vector<Input> inputs, const BuildOptions& options, const Progre
                          {}},
                         options, progress);
   });
-  if (options.wrap) {
-    wrap_all(solids, contents, inputs, edge_m, box, warnings, progress);
-  }
+  if (options.wrap) wrap_all(solids, contents, inputs, edge_m, box, warnings, progress);
   warn_of_size(box, warnings);
   const Grid grid = make_grid(box, edge_m);
   std::vector<Claims> levels = claim_levels(grid, halvings, inputs, solids, built.report, progress);
@@ -481,6 +480,7 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   }
   warn_of_losses(held, lattices, given, materials.tissues, warnings);
   parts.membranes = place_membranes(options.membranes, lattices, materials, warnings);
+  parts.skins = place_skins(claimed.mesh, lattices, parts.voxel_material, materials.tissues);
   SlideLists slides = place_slides(options.slides, claimed, lattices.front(), warnings);
   parts.slide_points = std::move(slides.points);
   parts.slide_grounds = std::move(slides.grounds);

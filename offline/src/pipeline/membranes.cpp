@@ -51,10 +51,6 @@ Mesh plane_through(std::size_t axis, double at_m, const CellGrid& grid) {
   return mesh;
 }
 
-CellGrid cells_of(const Grid& grid) {
-  return {grid.origin_m, grid.edge_m, {grid.size[0], grid.size[1], grid.size[2]}};
-}
-
 // A triangle that is there twice, turned over or not, would count twice in the lattice's tension.
 Mesh without_repeats(const Mesh& mesh) {
   std::map<std::array<double, 3>, std::uint32_t> number;
@@ -190,6 +186,10 @@ void add_finer_areas(const std::vector<MembraneSurface>& surfaces, std::span<con
 }
 
 }  // namespace
+
+CellGrid cells_of(const Grid& grid) {
+  return {grid.origin_m, grid.edge_m, {grid.size[0], grid.size[1], grid.size[2]}};
+}
 
 std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
                                       const MeshUnits& units) {

@@ -25,6 +25,8 @@ std::vector<Membrane> parse_membranes(const std::vector<std::string>& texts,
 // For the organ's provenance.
 std::vector<SourceRecord> membrane_records(const std::vector<Membrane>& membranes);
 
+CellGrid cells_of(const Grid& grid);
+
 // Cuts the membranes by the cells of each level. A surface that is too fine for a tick is
 // simplified.
 MembraneLists place_membranes(const std::vector<Membrane>& membranes,

@@ -111,7 +111,8 @@ Json byte_facts(const Organ& organ, std::size_t total) {
                                 organ.membrane_cells.size_bytes();
   const std::size_t slides = organ.slide_points.size_bytes() + organ.slide_grounds.size_bytes();
   const std::size_t known = lattice + organ.vertices.size_bytes() + organ.triangles.size_bytes() +
-                            organ.spheres.size_bytes() + membranes + slides;
+                            organ.spheres.size_bytes() + membranes + slides +
+                            organ.skins.size_bytes();
   Json facts{{"total", total},
              {"lattice", lattice},
              {"vertices", organ.vertices.size_bytes()},
@@ -119,6 +120,7 @@ Json byte_facts(const Organ& organ, std::size_t total) {
              {"sphere_tree", organ.spheres.size_bytes()},
              {"membranes", membranes},
              {"slides", slides},
+             {"skins", organ.skins.size_bytes()},
              {"materials_provenance_and_tables", total - known},
              {"lattice_per_voxel", static_cast<double>(lattice) / organ.voxel_count}};
   facts["per_vertex"] = organ.vertices.empty() ? 0 : sizeof(OrganVertex);

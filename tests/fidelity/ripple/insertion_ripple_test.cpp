@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "pose.h"
 #include "stylet/kernel.h"
 #include "tiny_organ.h"
 
@@ -77,14 +78,6 @@ Aim draw_aim(int index, std::mt19937& random) {
   return aim;
 }
 
-// Shortest rotation that takes the needle's own axis, -z, to `direction`.
-Quat towards(Vec3 direction) {
-  const Vec3 axis = {direction.y, -direction.x, 0};  // (-z) x direction
-  const Quat q = {1 - direction.z, axis.x, axis.y, axis.z};
-  const float n = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  return {q.w / n, q.x / n, q.y / n, q.z / n};
-}
-
 struct Blocks {
   std::byte* data[3] = {};
   ~Blocks() {
@@ -113,7 +106,7 @@ Curve insert(const Organ& organ, const Aim& aim) {
       Status::kOk);
   Curve curve;
   int punctured = 0;
-  const Quat rotation = towards(aim.direction);
+  const Quat rotation = test::towards(aim.direction);
   for (int t = 0; t < 12000; ++t) {
     const float travel = -0.001F + kSpeedMPerS * config.period_s * static_cast<float>(t);
     const float back = travel - config.needle[0].length_m;
