@@ -15,7 +15,8 @@ import numpy as np
 # In the order of kernel/schema/organ.fbs; "": left out.
 MEMBRANES = {"membrane_points": "f4,f4,f4", "membrane_triangles": "u4,u4,u4",
              "membrane_cells": "u2,u2,u2,u2,u4,u4,f4"}
-SLIDES = {"slide_points": "u4,u2,u2,u2,u2,f4,u4,f4", "slide_grounds": "u4,8f4"}
+SLIDES = {"slide_points": "u4,u2,u2,u2,u2,f4,u4,f4", "slide_grounds": "u4,8f4",
+          "slide_bodies": "u1"}
 SHEETS = {"rows": "<H", "ties": "u2,u2,u2,u2", "parts": "u2,u2,u2,u2,u8"}
 LEVELS = {"levels": "<B", "level_planes": "<H", "hanging": "u2,u2,u2,u2,u2,u2"}
 ORGAN = {"format_version": "<I", "name": "", "voxel_edge_m": "<f", "origin_x_m": "<f",
@@ -49,8 +50,8 @@ def read_organ(path):
         raise ValueError(f"{path}: not an organ file: expected the letters STLO at byte 4")
     organ = read_table(data, struct.unpack_from("<I", data)[0], ORGAN, {})
     version = organ.get("format_version", 0)
-    if version not in (1, 2, 3, 4, 5):
-        raise ValueError(f"{path}: format version {version}: expected 1 to 5")
+    if version not in (1, 2, 3, 4, 5, 6):
+        raise ValueError(f"{path}: format version {version}: expected 1 to 6")
     known = organ.get("content_sha256", np.empty(0)).tobytes()
     if (version > 1 or known) and hashlib.sha256(data.replace(known, b"", 1)).digest() != known:
         raise ValueError(f"{path}: content_sha256: not the sum of its bytes: some byte has changed")

@@ -177,10 +177,10 @@ class OrganFiles(Case):
         table = root - int.from_bytes(data[root:root + 4], "little", signed=True)
         version = root + int.from_bytes(data[table + 4:table + 6], "little")
         self.assertIn(data[version], (1, 2))
-        data[version] = 6
+        data[version] = 7
         path.write_bytes(data)
-        self.check_refused(self.tool("check", path), "expected version 1 to 5")
-        with self.assertRaisesRegex(ValueError, "format version 6: expected 1 to 5"):
+        self.check_refused(self.tool("check", path), "expected version 1 to 6")
+        with self.assertRaisesRegex(ValueError, "format version 7: expected 1 to 6"):
             read_organ(path)
         with self.assertRaisesRegex(ValueError, "expected the letters STLO"):
             read_organ(RECIPE)

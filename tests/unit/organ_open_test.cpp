@@ -114,8 +114,8 @@ std::vector<Case> lattice_cases() {
     o.runs[i] = format::Run(x, old.y(), old.z(), count);
   };
   return {
-      {"version", [](Owner& o) { o.format_version = 6; }, Status::kOrganVersionUnknown,
-       "format_version", 0, 6, "version 1 to 5"},
+      {"version", [](Owner& o) { o.format_version = 7; }, Status::kOrganVersionUnknown,
+       "format_version", 0, 7, "version 1 to 6"},
       {"sum", [](Owner& o) { o.content_sha256.assign(20, 1); }, Status::kOrganSizesDisagree,
        "content_sha256", 0, 20, "32 bytes, or none"},
       {"edge", [](Owner& o) { o.voxel_edge_m = 0.25F; }, range, "voxel_edge_m", 0, 0.25,

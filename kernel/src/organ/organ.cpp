@@ -33,7 +33,7 @@ static_assert(sizeof(OrganSlidePoint) == sizeof(format::SlidePoint));
 static_assert(sizeof(OrganHanging) == sizeof(format::Hanging));
 static_assert(sizeof(OrganSlideGround) == sizeof(format::SlideGround));
 
-constexpr std::uint32_t kNewestFormat = 5;
+constexpr std::uint32_t kNewestFormat = 6;
 constexpr float kMaxPointM = 8;  // every place that matters is nearer: see kMaxOriginM
 
 template <typename Mine, typename Theirs>
@@ -426,6 +426,7 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
   if (const format::Slides* slides = root.slides()) {
     organ.slide_points = view<OrganSlidePoint>(slides->points());
     organ.slide_grounds = view<OrganSlideGround>(slides->grounds());
+    organ.slide_bodies = view(slides->bodies());
   }
   return organ;
 }
@@ -448,7 +449,7 @@ Status organ_open(std::span<const std::byte> bytes, Organ& organ_out, OrganRefus
       const format::Organ& root = *format::GetOrgan(data);
       const std::uint32_t version = root.format_version();
       if (check.require(version >= 1 && version <= kNewestFormat, Status::kOrganVersionUnknown,
-                        "format_version", 0, version, "version 1 to 5")) {
+                        "format_version", 0, version, "version 1 to 6")) {
         organ = read(root, bytes);
         (void)(check_lattice_header(check, organ) && check_runs(check, organ) &&
                check_sheets(check, organ, version) &&

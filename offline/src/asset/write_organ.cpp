@@ -14,7 +14,8 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
-constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4, kWithLevels = 5;
+constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4, kWithLevels = 5,
+                        kWithBoth = 6;
 
 // Our plain structs and the generated structs have the same bytes.
 template <typename Theirs, typename Mine>
@@ -81,7 +82,9 @@ Offset<format::Membranes> write_membranes(FlatBufferBuilder& builder, const Memb
 Offset<format::Slides> write_slides(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto points = write_structs<format::SlidePoint>(builder, parts.slide_points);
   const auto grounds = write_structs<format::SlideGround>(builder, parts.slide_grounds);
-  return format::CreateSlides(builder, points, grounds);
+  const auto bodies = parts.levels > 1 ? builder.CreateVector(parts.slide_bodies)
+                                       : Offset<flatbuffers::Vector<std::uint8_t>>();
+  return format::CreateSlides(builder, points, grounds, bodies);
 }
 
 Offset<format::Levels> write_levels(FlatBufferBuilder& builder, const OrganParts& parts) {
@@ -118,7 +121,7 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto slides = has_slides ? write_slides(builder, parts) : Offset<format::Slides>();
   const bool has_levels = parts.levels > 1;
   const auto levels = has_levels ? write_levels(builder, parts) : Offset<format::Levels>();
-  const std::uint32_t version = has_levels      ? kWithLevels
+  const std::uint32_t version = has_levels      ? (has_slides ? kWithBoth : kWithLevels)
                                 : has_slides    ? kWithSlides
                                 : has_membranes ? kWithMembranes
                                                 : kFormatVersion;
