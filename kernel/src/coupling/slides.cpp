@@ -3,6 +3,7 @@
 
 #include "base/math.h"
 #include "coupling/grounds.h"
+#include "lattice/hanging.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
@@ -223,18 +224,34 @@ void add_force(const Model& model, const SlidePoint& point, const SlideState& ow
   }
 }
 
-// The most that any of a ground's particles of a level have; points may come to all of them.
+// Points may come to any of the ground's particles: each gets the most that any has, those of finer
+// levels as much as would lie on one of level 0, where their points may come.
 void level_out(const Model& model, float* of_particles) {
-  float most[kMaxLevels] = {};
+  float most = 0;
   const SlideGround* const end = model.ground + model.head->counts.grounds;
   for (const SlideGround* ground = model.ground; ground != end; ++ground) {
-    for (const std::uint32_t node : ground->node) {
-      most[ground->level] = max_of(most[ground->level], of_particles[node]);
-    }
+    const auto finer = static_cast<float>(1U << (2U * ground->level));  // points for an area
+    for (const std::uint32_t node : ground->node) most = max_of(most, finer * of_particles[node]);
   }
   for (const SlideGround* ground = model.ground; ground != end; ++ground) {
-    for (const std::uint32_t node : ground->node) of_particles[node] = most[ground->level];
+    for (const std::uint32_t node : ground->node) of_particles[node] = most;
   }
+}
+
+// The bounds of tissue with that of what hangs on a particle; a hanging one has that of its masters.
+// So a sliver of a voxel above finer or coarser ones has room as above its like.
+const float* all_bounds(Model& model, const float* bound) {
+  const Counts& counts = model.head->counts;
+  float* const all = model.bound;  // later that of the particle alone
+  for (std::uint32_t i = 0; i < counts.particles; ++i) all[i] = bound[i];
+  add_to_masters(model, all);
+  for (std::uint32_t i = 0; i < counts.hanging; ++i) {
+    const HangingNode& h = model.hanging[i];
+    float sum = 0;
+    for (std::uint32_t m = 0; m < kMasters; ++m) sum += h.weight[m] * all[h.master[m]];
+    all[h.node] = sum;
+  }
+  return all;
 }
 
 void fill_point(const Organ& organ, const Model& model, const OrganSlidePoint& given,
@@ -317,8 +334,9 @@ void add_slide_room(Model& model, float* bound_io) {
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
     room[model.tie[i].node] = room[model.tie[i].representative];
   }
+  const float* const bound = is_graded(model) ? all_bounds(model, bound_io) : bound_io;
   for (std::uint32_t i = 0; i < counts.slid_particles; ++i) {
-    room[i] = min_of(room[i], kRoom * bound_io[i]);
+    room[i] = min_of(room[i], kRoom * bound[i]);
     bound_io[i] += room[i];
   }
 }
