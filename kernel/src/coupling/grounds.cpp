@@ -10,6 +10,9 @@
 namespace stylet {
 namespace {
 
+// How far from its ground a point is followed, in edges. It may come to another piece of it.
+constexpr float kFollowed = 64.0F;
+
 // A cell of space at a level.
 struct Cell {
   std::int32_t at[3];

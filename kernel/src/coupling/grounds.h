@@ -25,10 +25,6 @@ inline std::uint32_t corner_node(const Row& row, std::uint32_t slot, std::uint32
   return row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U);
 }
 
-// A place may lie outside a voxel by so many edges at most: there it is still followed, because it
-// may come to another piece of the ground.
-constexpr float kFollowed = 64.0F;
-
 // Each component between two bounds.
 Vec3 within(Vec3 place, float low, float high);
 
