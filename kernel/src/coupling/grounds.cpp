@@ -160,9 +160,8 @@ void fill_grounds(const Organ& organ, Model& model) {
   const std::uint32_t count = model.head->counts.grounds;
   SlideGround* const first = model.ground;
   for (std::uint32_t i = 0; i < count; ++i) first[i] = ground_at(organ, model, i);
-  sort(first, first + count, [&](const SlideGround& a, const SlideGround& b) {
-    return comes_before(model, a, b);
-  });
+  sort(first, first + count,
+       [&](const SlideGround& a, const SlideGround& b) { return comes_before(model, a, b); });
   for (std::uint32_t i = 0; i < count; ++i) {  // once all are there
     for (std::uint32_t side = 0; side < 6; ++side) {
       first[i].beside[side] = ground_beside(model, first[i], side);
@@ -171,12 +170,10 @@ void fill_grounds(const Organ& organ, Model& model) {
 }
 
 std::uint32_t ground_of(const Organ& organ, const Model& model, std::uint32_t in_file) {
-  const SlideGround* const found =
-      std::lower_bound(static_cast<const SlideGround*>(model.ground), end_of(model),
-                       ground_at(organ, model, in_file),
-                       [&](const SlideGround& a, const SlideGround& b) {
-                         return comes_before(model, a, b);
-                       });
+  const SlideGround* const found = std::lower_bound(
+      static_cast<const SlideGround*>(model.ground), end_of(model),
+      ground_at(organ, model, in_file),
+      [&](const SlideGround& a, const SlideGround& b) { return comes_before(model, a, b); });
   return static_cast<std::uint32_t>(found - model.ground);
 }
 

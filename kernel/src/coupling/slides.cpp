@@ -224,22 +224,28 @@ void add_force(const Model& model, const SlidePoint& point, const SlideState& ow
   }
 }
 
-// Points may come to any of the ground's particles: each gets the most that any has, those of finer
-// levels as much as would lie on one of level 0, where their points may come.
+// Points may come to any of the ground's particles: each gets the most that any of its level has.
+// Where none of a level has a point, those of other levels may come: it gets as much as those of
+// level 0 would have.
 void level_out(const Model& model, float* of_particles) {
-  float most = 0;
+  float most[kMaxLevels] = {}, as_coarsest = 0;
   const SlideGround* const end = model.ground + model.head->counts.grounds;
   for (const SlideGround* ground = model.ground; ground != end; ++ground) {
-    const auto finer = static_cast<float>(1U << (2U * ground->level));  // points for an area
-    for (const std::uint32_t node : ground->node) most = max_of(most, finer * of_particles[node]);
+    for (const std::uint32_t node : ground->node) {
+      most[ground->level] = max_of(most[ground->level], of_particles[node]);
+    }
+  }
+  for (std::uint32_t level = 0; level < kMaxLevels; ++level) {
+    as_coarsest = max_of(as_coarsest, static_cast<float>(1U << (2 * level)) * most[level]);
   }
   for (const SlideGround* ground = model.ground; ground != end; ++ground) {
-    for (const std::uint32_t node : ground->node) of_particles[node] = most;
+    const float own = most[ground->level];
+    for (const std::uint32_t node : ground->node) of_particles[node] = own > 0 ? own : as_coarsest;
   }
 }
 
-// The bounds of tissue with that of what hangs on a particle; a hanging one has that of its masters.
-// So a sliver of a voxel above finer or coarser ones has room as above its like.
+// The bounds of tissue with that of what hangs on a particle; a hanging one has that of its
+// masters. So a sliver of a voxel above finer or coarser ones has room as above its like.
 const float* all_bounds(Model& model, const float* bound) {
   const Counts& counts = model.head->counts;
   float* const all = model.bound;  // later that of the particle alone
@@ -272,8 +278,8 @@ void fill_point(const Organ& organ, const Model& model, const OrganSlidePoint& g
   const SlideGround& given_ground = model.ground[point.ground];
   const std::uint32_t ground_slot = given_ground.slot;
   point.rest_m = head.origin_m + level.edge_m * (cell_of(model, slot, row) + in_voxel);
-  point.place = head.level[given_ground.level].inverse_edge_per_m *
-                (point.rest_m - given_ground.low_m);
+  point.place =
+      head.level[given_ground.level].inverse_edge_per_m * (point.rest_m - given_ground.low_m);
   enter_ground(model, point.ground, point.place);
   // What overlaps at rest, by rounding or as it was drawn, rests there. Across a gap the distance
   // is that at the ground's end: trilinear weights grow without bound beyond it.
