@@ -64,7 +64,7 @@ GradedParts drawn_parts(Draw& draw, unsigned seed) {
   parts.floor = drawn_tissue(draw);
   parts.lid = drawn_tissue(draw);
   graded.levels = 2 + seed % 2;
-  graded.split = at_random(seed, draw.between(0.2, 0.6));
+  graded.split = at_random(seed, static_cast<double>(draw.between(0.2, 0.6)));
   return graded;
 }
 
