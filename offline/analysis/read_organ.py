@@ -15,7 +15,8 @@ import numpy as np
 # In the order of kernel/schema/organ.fbs; "": left out.
 MEMBRANES = {"membrane_points": "f4,f4,f4", "membrane_triangles": "u4,u4,u4",
              "membrane_cells": "u2,u2,u2,u2,u4,u4,f4"}
-SLIDES = {"slide_points": "u4,u2,u2,u2,u2,f4,u4,f4", "slide_grounds": "u4,8f4"}
+SLIDES = {"slide_points": "u4,u2,u2,u2,u2,f4,u4,f4", "slide_grounds": "u4,8f4",
+          "slide_bodies": "u1"}
 SHEETS = {"rows": "<H", "ties": "u2,u2,u2,u2", "parts": "u2,u2,u2,u2,u8"}
 LEVELS = {"levels": "<B", "level_planes": "<H", "hanging": "u2,u2,u2,u2,u2,u2"}
 ORGAN = {"format_version": "<I", "name": "", "voxel_edge_m": "<f", "origin_x_m": "<f",

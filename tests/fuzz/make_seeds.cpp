@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "graded.h"
+#include "graded_parts.h"
 
 namespace stylet::test {
 namespace {
@@ -67,6 +68,18 @@ void write_levels(const std::string& path) {
   write(path, bytes.data(), bytes.size());
 }
 
+// What only a file of version 6 may have: parts that slide, in voxels of two sizes.
+void write_sliding_levels(const std::string& path) {
+  GradedParts graded;
+  graded.parts.floor_x = graded.parts.lid_x = 2;
+  graded.parts.floor_y = graded.parts.lid_y = 1;
+  graded.parts.height = 2;
+  graded.parts.plane = 1;
+  graded.split = [](std::uint32_t, int x, int, int) { return x == 0; };
+  const std::vector<std::byte> bytes = bytes_of(*graded_parts(graded));
+  write(path, bytes.data(), bytes.size());
+}
+
 // Runs as organ_target.cpp draws them: rows with voxels far apart, a comb, planes far apart.
 void write_sparse(const std::string& folder) {
   const auto write_runs = [&](const char* name, std::initializer_list<int> numbers) {
@@ -107,6 +120,7 @@ void write_organs(const std::string& folder) {
   write_organ(folder + "tall.organ", tall);
   write_sheets(folder + "sheets.organ");
   write_levels(folder + "levels.organ");
+  write_sliding_levels(folder + "sliding-levels.organ");
   write_sparse(folder);
 }
 

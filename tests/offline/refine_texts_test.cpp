@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a user may say of finer voxels, in an option or a recipe, and what is refused.
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "maps/recipe_table.h"
@@ -69,20 +68,6 @@ std::string refusal_for(const offline::Settings& settings, const std::string& re
 }
 
 constexpr const char* kTissues = "[tissues]\nkidney = [1]\nfat = [2]\n";
-
-TEST(RefineTexts, WhatNeedsVoxelsOfOneSizeIsRefusedBeside) {
-  const std::string tissues = kTissues;
-  offline::Settings settings;
-  settings.refine = {"surface:2"};
-  const auto with = [](const char* what) {
-    return fmt::format(
-        "--refine 'surface:2': beside {}, which need voxels of one size: expected one of both",
-        what);
-  };
-  EXPECT_EQ(refusal_for(settings, tissues), "");
-  EXPECT_EQ(refusal_for(settings, tissues + "[[slide]]\ntissue = \"kidney\"\non = \"fat\"\n"),
-            with("tissues that slide"));
-}
 
 TEST(RefineTexts, TissuesAndRecipesAreChecked) {
   offline::Settings settings;

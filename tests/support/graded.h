@@ -7,12 +7,11 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <random>
-#include <set>
 #include <vector>
 
 #include "owned_organ.h"
 #include "session.h"
+#include "split_cells.h"
 
 namespace stylet::test {
 
@@ -23,9 +22,7 @@ struct Graded {
   std::vector<TinyMaterial> materials = {TinyMaterial{}};
   // Of a voxel of this level; empty: material 0.
   std::function<std::uint8_t(std::uint32_t level, int x, int y, int z)> material_at;
-  // Whether a cell of this level (not the finest) is split. Where neighbours would differ by more
-  // than one level, the coarser one is split as well.
-  std::function<bool(std::uint32_t level, int x, int y, int z)> split;
+  Split split;
   std::uint32_t fixed_faces = 0;
   // Cells from here on along x are in a second sheet, joined to the first or not; 0: one sheet.
   std::uint16_t cut = 0;
@@ -40,12 +37,12 @@ using Place = std::array<std::uint32_t, 3>;
 class Builder {
  public:
   explicit Builder(const Graded& graded) : graded_(graded) {
-    choose_split();
-    for (std::uint32_t z = 0; z < graded.nz; ++z) {
-      for (std::uint32_t y = 0; y < graded.ny; ++y) {
-        for (std::uint32_t x = 0; x < graded.nx; ++x) add(0, x, y, z);
-      }
-    }
+    const SplitCells cells({graded.nx, graded.ny, graded.nz}, graded.levels, graded.split);
+    cells.each([&](const LevelCell& cell) {
+      const auto& [level, x, y, z] = cell;
+      voxels_[place(level, x, y, z)] = 0;
+      at_[place(level, x, y, z)] = cell;
+    });
     std::uint32_t count = 0;
     for (auto& [place, index] : voxels_) index = count++;
   }
@@ -95,51 +92,6 @@ class Builder {
     if (x < 0 || y < 0 || z < 0 || z >= graded_.nz << level) return false;
     return voxels_.count(place(level, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                                static_cast<std::uint32_t>(z))) != 0;
-  }
-
-  // The cells that are split: those asked for, and from the finest on those beside them.
-  void choose_split() {
-    for (std::uint32_t level = 0; level + 1 < graded_.levels; ++level) {
-      const int nx = graded_.nx << level, ny = graded_.ny << level, nz = graded_.nz << level;
-      for (int i = 0; i < nx * ny * nz; ++i) {
-        const int x = i % nx, y = i / nx % ny, z = i / nx / ny;
-        const std::array<std::uint32_t, 4> parent = cell(level - 1, x / 2, y / 2, z / 2);
-        if (level > 0 && split_.count(parent) == 0) continue;
-        if (graded_.split(level, x, y, z)) split_.insert(cell(level, x, y, z));
-      }
-    }
-    for (std::uint32_t level = graded_.levels - 1; level-- > 1;) {
-      const std::set<std::array<std::uint32_t, 4>> now = split_;
-      for (const auto& [own, x, y, z] : now) {
-        if (own != level) continue;
-        for (int side = 0; side < 27; ++side) split_around(level, x, y, z, side);
-      }
-    }
-  }
-  void split_around(std::uint32_t level, std::uint32_t x, std::uint32_t y, std::uint32_t z,
-                    int side) {
-    const int a = static_cast<int>(x) + side % 3 - 1, b = static_cast<int>(y) + side / 3 % 3 - 1,
-              c = static_cast<int>(z) + side / 9 - 1;
-    if (a < 0 || b < 0 || c < 0 || a >= graded_.nx << level || b >= graded_.ny << level ||
-        c >= graded_.nz << level) {
-      return;
-    }
-    split_.insert(cell(level - 1, a / 2, b / 2, c / 2));
-  }
-  static std::array<std::uint32_t, 4> cell(std::uint32_t level, int x, int y, int z) {
-    return {level, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-            static_cast<std::uint32_t>(z)};
-  }
-
-  void add(std::uint32_t level, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-    if (split_.count({level, x, y, z}) == 0) {
-      voxels_[place(level, x, y, z)] = 0;
-      at_[place(level, x, y, z)] = {level, x, y, z};
-      return;
-    }
-    for (std::uint32_t i = 0; i < 8; ++i) {
-      add(level + 1, 2 * x + (i & 1U), 2 * y + ((i >> 1U) & 1U), 2 * z + (i >> 2U));
-    }
   }
 
   // The voxel in which a vertex of a finest cell lies, and where in it.
@@ -243,25 +195,14 @@ class Builder {
   }
 
   const Graded& graded_;
-  std::set<std::array<std::uint32_t, 4>> split_;  // level, x, y, z
   std::map<Place, std::uint32_t> voxels_;
-  std::map<Place, std::array<std::uint32_t, 4>> at_;  // level, x, y, z in it
+  std::map<Place, LevelCell> at_;
 };
 
 }  // namespace graded_detail
 
 inline std::unique_ptr<Owner> graded_organ(const Graded& graded) {
   return graded_detail::Builder(graded).owner();
-}
-
-// Splits about this part of the cells.
-inline std::function<bool(std::uint32_t, int, int, int)> at_random(unsigned seed, double part) {
-  return [=](std::uint32_t level, int x, int y, int z) {
-    std::seed_seq place = {seed, level, static_cast<unsigned>(x), static_cast<unsigned>(y),
-                           static_cast<unsigned>(z)};
-    std::mt19937 random(place);
-    return std::bernoulli_distribution(part)(random);
-  };
 }
 
 // A graded organ in a kernel.

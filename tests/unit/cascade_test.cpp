@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graded.h"
+#include "graded_parts.h"
 #include "lattice/hanging.h"
 #include "lattice/shadow.h"
 #include "lattice/voxel.h"
@@ -100,6 +101,10 @@ class Bounds {
       const double bound = 8 * static_cast<double>(model_.slot_bound[slot]);
       for (const std::size_t n : node) y[n] += bound * (x[n] - mean);
     }
+    for (std::uint32_t p = 0; has_slides(model_) && p < model_.head->counts.particles; ++p) {
+      const std::size_t n = node_of(p);
+      y[n] += static_cast<double>(model_.slide_room[p]) * x[n];  // what contact may add
+    }
     const HangingShare* const down_end = model_.down_share + shadows_.down_begin[0];
     for (const HangingShare* s = model_.down_share; s != down_end;) {
       const HangingShare* const behind = s + s->count;
@@ -167,6 +172,31 @@ TEST(Cascade, EachLevelStaysWithinItsPartInSheets) {
       const double part = bounds.largest(level) / static_cast<double>(shadows.limit_per_s2[level]);
       EXPECT_LT(part, 1.001) << seed << " level " << level;
       EXPECT_GT(part, 0.1) << seed << " level " << level;
+    }
+  }
+}
+
+// So it is with all that contact of parts that slide may add.
+TEST(Cascade, EachLevelStaysWithinItsPartWherePartsSlide) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    GradedParts graded;
+    graded.parts.floor_x = graded.parts.lid_x = 3;
+    graded.parts.floor_y = graded.parts.lid_y = 3;
+    graded.parts.height = 4;
+    graded.parts.plane = 1.6F + 0.15F * static_cast<float>(seed);
+    graded.parts.slope_x = 0.1F;
+    graded.levels = 2 + seed % 2;
+    graded.split = at_random(seed, 0.3);
+    const std::unique_ptr<OpenOrgan> organ = packed(*graded_parts(graded));
+    const Session session = make_session(organ->organ, Config{});
+    const View view = view_of(session.kernel);
+    const Shadows& shadows = view.model.head->shadows;
+    ASSERT_EQ(shadows.on, 1U) << seed;
+    Bounds bounds(view);
+    EXPECT_LT(bounds.largest(0) / static_cast<double>(shadows.fastest_per_s2), 1.001) << seed;
+    for (std::uint32_t level = 1; level < graded.levels; ++level) {
+      const double part = bounds.largest(level) / static_cast<double>(shadows.limit_per_s2[level]);
+      EXPECT_LT(part, 1.001) << seed << " level " << level;
     }
   }
 }

@@ -339,6 +339,11 @@ std::vector<Case> slide_point_cases() {
        "0 to 2"},
       {"friction that is not a number", point({0, 0, 0, 0, 0, 1, 0, nan}), range,
        "slides.points.friction", 1, static_cast<double>(nan), "0 to 2"},
+      {"bodies", slides([](S& s) {
+         s.bodies = {0, 0};
+       }),
+       Status::kOrganSizesDisagree, "slides.bodies", 0, 2,
+       "one for each ground where there are levels, else none"},
       {"no grounds", slides([](S& s) { s.grounds.clear(); }), index, "slides.points.ground", 0, 1,
        "an index into grounds"},
   };

@@ -105,6 +105,7 @@ struct Organ {
   std::span<const OrganMembraneCell> membrane_cells;  // sorted by z, y, x, material
   std::span<const OrganSlidePoint> slide_points;
   std::span<const OrganSlideGround> slide_grounds;  // sorted by voxel
+  std::span<const std::uint8_t> slide_bodies;       // of each ground; empty: their sheets
   std::span<const OrganHanging> hanging;            // sorted by z, y, x
   std::span<const OrganSkin> skins;                 // sorted by voxel
   // SHA-256 of all bytes of the file but these 32, or empty (format version 1). Whoever loads a

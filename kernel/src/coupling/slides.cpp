@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "coupling/slides.h"
 
-#include <algorithm>
-
 #include "base/math.h"
+#include "coupling/grounds.h"
+#include "lattice/hanging.h"
 #include "lattice/voxel.h"
 
 namespace stylet {
@@ -25,8 +25,6 @@ constexpr float kLeastVolume = 0.05F;
 constexpr float kBeyond = 0.25F;
 // How far a point goes in a substep at most, in edges.
 constexpr float kStep = 1.0F;
-// How far from its ground a point is followed, in edges. It may come to another piece of it.
-constexpr float kFollowed = 64.0F;
 
 // Weights of a voxel's corners at a place in it (0 to 1 along each axis), and their slopes.
 struct Weights {
@@ -53,10 +51,6 @@ struct Places {
 // As the tissue's own forces are taken: ahead by its damping time.
 Places damped(const State& state) {
   return {state.ex, state.ey, state.ez};
-}
-
-Vec3 within(Vec3 place, float low, float high) {
-  return {clamp(place.x, low, high), clamp(place.y, low, high), clamp(place.z, low, high)};
 }
 
 // A place of a ground now. Farther than kBeyond from the voxel its map goes on straight.
@@ -108,67 +102,6 @@ Vec3 place_of(const SlidePoint& point, const Places& places) {
   return point.rest_m + moved;
 }
 
-// The ground in this slot, if it is one. Slots rise with voxels.
-std::uint32_t ground_in(const Model& model, std::uint32_t slot) {
-  const SlideGround* const end = model.ground + model.head->counts.grounds;
-  const SlideGround* const found = std::lower_bound(
-      static_cast<const SlideGround*>(model.ground), end, slot,
-      [](const SlideGround& ground, std::uint32_t at) { return ground.slot < at; });
-  const bool is_one = found != end && found->slot == slot;
-  return is_one ? static_cast<std::uint32_t>(found - model.ground) : kNoGround;
-}
-
-// The ground so many voxels from another one, in the same sheet.
-std::uint32_t ground_at(const Model& model, const SlideGround& from, const std::int32_t (&by)[3]) {
-  const ModelHead& head = *model.head;
-  const std::int32_t x = from.x + by[0], y = from.y + by[1], z = from.z + by[2];
-  const auto rows = static_cast<std::int32_t>(head.sheet_rows);
-  const std::int32_t row = y + from.sheet * rows;
-  const bool there = x >= 0 && y >= 0 && z >= 0 && y < rows &&
-                     row < static_cast<std::int32_t>(head.size_y) &&
-                     z < static_cast<std::int32_t>(head.size_z);
-  const std::uint32_t index =
-      there ? row_at(model, x, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(z))
-            : kNoRow;
-  if (index == kNoRow) return kNoGround;
-  const Row& found = model.row[index];
-  return ground_in(model, found.slot + static_cast<std::uint32_t>(x - found.x0));
-}
-
-// Whole edges below a place; whatever is no number is far below.
-std::int32_t whole(float at) {
-  if (!(at > -kFollowed)) return -static_cast<std::int32_t>(kFollowed);
-  const auto down = static_cast<std::int32_t>(min_of(at, kFollowed));
-  return at < static_cast<float>(down) ? down - 1 : down;
-}
-
-// Brings a place back into a voxel of the ground: to the next one along each axis, else to the one
-// in which it lies, which may be of another piece. Without any the last one's map goes on.
-void enter_voxel(const Model& model, std::uint32_t& ground, Vec3& place) {
-  float* const along[3] = {&place.x, &place.y, &place.z};
-  bool inside = true;
-  for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    float& at = *along[axis];
-    const std::uint32_t* const beside = model.ground[ground].beside;
-    if (at < 0 && beside[2 * axis] != kNoGround) {
-      ground = beside[2 * axis];
-      at += 1;
-    } else if (at > 1 && beside[2 * axis + 1] != kNoGround) {
-      ground = beside[2 * axis + 1];
-      at -= 1;
-    }
-    inside = inside && at >= 0 && at <= 1;
-  }
-  if (inside) return;
-  const std::int32_t by[3] = {whole(place.x), whole(place.y), whole(place.z)};
-  const std::uint32_t other = ground_at(model, model.ground[ground], by);
-  if (other != kNoGround) {
-    ground = other;
-    for (std::uint32_t axis = 0; axis < 3; ++axis) *along[axis] -= static_cast<float>(by[axis]);
-  }
-  place = within(place, -kFollowed, kFollowed);
-}
-
 bool is_beside(Vec3 place) {
   return place.x < -kBeyond || place.y < -kBeyond || place.z < -kBeyond ||  //
          place.x > 1 + kBeyond || place.y > 1 + kBeyond || place.z > 1 + kBeyond;
@@ -192,10 +125,11 @@ Outside outside(const SlideGround& ground, const Weights& weights, float edge_m)
 // turned with the gradient there: a gradient at the new place would cost a third more.
 SlideContact meet(const Model& model, const SlidePoint& point, const Places& places,
                   SlideState& own) {
-  const float edge_m = model.head->edge_m;
+  const SlideGround& last = model.ground[own.ground];
+  const float edge_m = edge_m_of(model, last);
   SlideContact out = {};
   Mat3 back = {};  // from now to rest
-  const Seen before = see(model.ground[own.ground], own.place, edge_m, places);
+  const Seen before = see(last, own.place, edge_m, places);
   const Vec3 slip_m = place_of(point, places) - before.at_m;
   const bool crushed = !invert(before.gradient, back);
   if (crushed) {  // it stays with its material, and is pressed as that was at rest
@@ -203,11 +137,12 @@ SlideContact meet(const Model& model, const SlidePoint& point, const Places& pla
   } else {
     own.place = own.place + within((1 / edge_m) * (back * slip_m), -kStep, kStep);
   }
-  enter_voxel(model, own.ground, own.place);
+  enter_ground(model, own.ground, own.place);
   own.place = settle(own.place);
   if (is_beside(own.place)) return out;
   const Weights weights = weights_at(own.place);
-  const Outside off = outside(model.ground[own.ground], weights, edge_m);
+  const SlideGround& ground = model.ground[own.ground];
+  const Outside off = outside(ground, weights, edge_m_of(model, ground));
   out.slope = transposed_times(back, off.slope);
   const float steep = norm(out.slope);
   if (!(steep > 0)) return out;
@@ -289,75 +224,77 @@ void add_force(const Model& model, const SlidePoint& point, const SlideState& ow
   }
 }
 
-template <typename Visit>
-void for_each_ground_node(const Model& model, Visit visit) {
-  for (std::uint32_t i = 0; i < model.head->counts.grounds; ++i) {
-    for (const std::uint32_t node : model.ground[i].node) visit(node);
+// Points may come to any of the ground's particles: each gets the most that any of its level has.
+// Where none of a level has a point, those of other levels may come: it gets as much as those of
+// level 0 would have.
+void level_out(const Model& model, float* of_particles) {
+  float most[kMaxLevels] = {}, as_coarsest = 0;
+  const SlideGround* const end = model.ground + model.head->counts.grounds;
+  for (const SlideGround* ground = model.ground; ground != end; ++ground) {
+    for (const std::uint32_t node : ground->node) {
+      most[ground->level] = max_of(most[ground->level], of_particles[node]);
+    }
+  }
+  for (std::uint32_t level = 0; level < kMaxLevels; ++level) {
+    as_coarsest = max_of(as_coarsest, static_cast<float>(1U << (2 * level)) * most[level]);
+  }
+  for (const SlideGround* ground = model.ground; ground != end; ++ground) {
+    const float own = most[ground->level];
+    for (const std::uint32_t node : ground->node) of_particles[node] = own > 0 ? own : as_coarsest;
   }
 }
 
-std::uint32_t node_of(const Row& row, std::uint32_t slot, std::uint32_t corner) {
-  return row.node[corner >> 1U] + (slot - row.slot) + (corner & 1U);
+// The bounds of tissue with that of what hangs on a particle; a hanging one has that of its
+// masters. So a sliver of a voxel above finer or coarser ones has room as above its like.
+const float* all_bounds(Model& model, const float* bound) {
+  const Counts& counts = model.head->counts;
+  float* const all = model.bound;  // later that of the particle alone
+  for (std::uint32_t i = 0; i < counts.particles; ++i) all[i] = bound[i];
+  add_to_masters(model, all);
+  for (std::uint32_t i = 0; i < counts.hanging; ++i) {
+    const HangingNode& h = model.hanging[i];
+    float sum = 0;
+    for (std::uint32_t m = 0; m < kMasters; ++m) sum += h.weight[m] * all[h.master[m]];
+    all[h.node] = sum;
+  }
+  return all;
 }
 
-void fill_grounds(const Organ& organ, Model& model) {
+void fill_point(const Organ& organ, const Model& model, const OrganSlidePoint& given,
+                SlidePoint& point) {
+  constexpr float kScale = 1.0F / 65535.0F;
   const ModelHead& head = *model.head;
-  for (std::uint32_t i = 0; i < head.counts.grounds; ++i) {
-    const OrganSlideGround& given = organ.slide_grounds[i];
-    SlideGround& ground = model.ground[i];
-    const Row& row = model.row[model.voxel_row[given.voxel]];
-    ground.slot = model.voxel_slot[given.voxel];
-    ground.x = static_cast<std::int32_t>(row.x0 + (ground.slot - row.slot));
-    ground.y = row.y % head.sheet_rows;
-    ground.z = static_cast<std::int32_t>(model.plane[row.plane].z);
-    ground.sheet = row.y / head.sheet_rows;
-    ground.low_m = head.origin_m + head.edge_m * cell_of(model, ground.slot, row);
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      ground.node[corner] = node_of(row, ground.slot, corner);
-      ground.outside_m[corner] = head.edge_m * given.distance[corner];
-    }
+  const std::uint32_t slot = model.voxel_slot[given.voxel];
+  const Row& row = model.row[model.voxel_row[given.voxel]];
+  const Level& level = level_of(model, row);
+  const Vec3 in_voxel = kScale * Vec3{static_cast<float>(given.fx), static_cast<float>(given.fy),
+                                      static_cast<float>(given.fz)};
+  const Weights weights = weights_at(in_voxel);
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    point.node[corner] = corner_node(row, slot, corner);
+    point.weight[corner] = weights.of[corner];
   }
-  for (std::uint32_t i = 0; i < head.counts.grounds; ++i) {  // once all slots are known
-    SlideGround& ground = model.ground[i];
-    for (std::uint32_t side = 0; side < 6; ++side) {
-      std::int32_t by[3] = {};
-      by[side / 2] = side % 2 != 0 ? 1 : -1;
-      ground.beside[side] = ground_at(model, ground, by);
-    }
-  }
-}
-
-void fill_points(const Organ& organ, Model& model) {
-  const ModelHead& head = *model.head;
-  for (std::uint32_t i = 0; i < head.counts.slide_points; ++i) {
-    constexpr float kScale = 1.0F / 65535.0F;
-    const OrganSlidePoint& given = organ.slide_points[i];
-    SlidePoint& point = model.slide_point[i];
-    const std::uint32_t slot = model.voxel_slot[given.voxel];
-    const Row& row = model.row[model.voxel_row[given.voxel]];
-    const Vec3 in_voxel = kScale * Vec3{static_cast<float>(given.fx), static_cast<float>(given.fy),
-                                        static_cast<float>(given.fz)};
-    const Weights weights = weights_at(in_voxel);
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      point.node[corner] = node_of(row, slot, corner);
-      point.weight[corner] = weights.of[corner];
-    }
-    const SlideGround& ground = model.ground[given.ground];
-    point.rest_m = head.origin_m + head.edge_m * (cell_of(model, slot, row) + in_voxel);
-    point.ground = given.ground;
-    point.place = head.inverse_edge_per_m * (point.rest_m - ground.low_m);
-    enter_voxel(model, point.ground, point.place);
-    // What overlaps at rest, by rounding or as it was drawn, rests there. Across a gap the distance
-    // is that at the ground's end: trilinear weights grow without bound beyond it.
-    const Weights there = weights_at(within(point.place, -kBeyond, 1 + kBeyond));
-    point.rest_outside_m = min_of(outside(model.ground[point.ground], there, head.edge_m).m, 0);
-    const auto shear_pa = [&](std::uint32_t of_slot) {
-      return head.material[model.slot_material[of_slot]].lattice[0].shear_pa;
-    };
-    point.stiffness_n_per_m = kContactStiffness * head.edge_m * given.area *
-                              min_of(shear_pa(slot), shear_pa(ground.slot));
-    point.friction = given.friction;
-  }
+  point.ground = ground_of(organ, model, given.ground);
+  const SlideGround& given_ground = model.ground[point.ground];
+  const std::uint32_t ground_slot = given_ground.slot;
+  point.rest_m = head.origin_m + level.edge_m * (cell_of(model, slot, row) + in_voxel);
+  point.place =
+      head.level[given_ground.level].inverse_edge_per_m * (point.rest_m - given_ground.low_m);
+  enter_ground(model, point.ground, point.place);
+  // What overlaps at rest, by rounding or as it was drawn, rests there. Across a gap the distance
+  // is that at the ground's end: trilinear weights grow without bound beyond it.
+  const Weights there = weights_at(within(point.place, -kBeyond, 1 + kBeyond));
+  const SlideGround& ground = model.ground[point.ground];
+  point.rest_outside_m = min_of(outside(ground, there, edge_m_of(model, ground)).m, 0);
+  // For each area, that of voxels of level 0, also between finer ones: so it does not change where
+  // a point comes to another level, which would add energy, and one pressure gives one depth.
+  const float ratio = level.edge_m / head.edge_m;
+  const auto shear_pa = [&](std::uint32_t of_slot) {
+    return head.material[model.slot_material[of_slot]].lattice[0].shear_pa;
+  };
+  point.stiffness_n_per_m = kContactStiffness * head.edge_m * (given.area * ratio * ratio) *
+                            min_of(shear_pa(slot), shear_pa(ground_slot));
+  point.friction = given.friction;
 }
 
 }  // namespace
@@ -373,7 +310,9 @@ void count_slides(const Organ& organ, Counts& counts_io) {
 void fill_slides(const Organ& organ, Model& model) {
   if (!has_slides(model)) return;
   fill_grounds(organ, model);
-  fill_points(organ, model);
+  for (std::uint32_t i = 0; i < model.head->counts.slide_points; ++i) {
+    fill_point(organ, model, organ.slide_points[i], model.slide_point[i]);
+  }
 }
 
 // What contact needs where the parts lie on each other as they do at rest. The room is there from
@@ -393,9 +332,7 @@ void add_slide_room(Model& model, float* bound_io) {
     }
   }
   sum_tied(model, room);
-  float most = 0;  // points may come to any of the ground's particles
-  for_each_ground_node(model, [&](std::uint32_t node) { most = max_of(most, room[node]); });
-  for_each_ground_node(model, [&](std::uint32_t node) { room[node] = most; });
+  level_out(model, room);
   for (std::uint32_t i = 0; i < counts.ties; ++i) {  // one particle, one inertia
     float& of_both = room[model.tie[i].representative];
     of_both = max_of(of_both, room[model.tie[i].node]);
@@ -403,8 +340,9 @@ void add_slide_room(Model& model, float* bound_io) {
   for (std::uint32_t i = 0; i < counts.ties; ++i) {
     room[model.tie[i].node] = room[model.tie[i].representative];
   }
+  const float* const bound = is_graded(model) ? all_bounds(model, bound_io) : bound_io;
   for (std::uint32_t i = 0; i < counts.slid_particles; ++i) {
-    room[i] = min_of(room[i], kRoom * bound_io[i]);
+    room[i] = min_of(room[i], kRoom * bound[i]);
     bound_io[i] += room[i];
   }
 }

@@ -229,6 +229,26 @@ void fill_own_kg(Plan& plan) {
   }
 }
 
+// What contact of parts that slide may add at the finer levels; model.bound has it at level 0.
+void add_slide_room_of_finer(Plan& plan) {
+  Model& model = plan.model;
+  for (std::uint32_t i = 0; has_slides(model) && i < plan.shadows.border_begin; ++i) {
+    model.cascade_bound[i] += model.slide_room[plan.shadows.first_particle + i];
+  }
+}
+
+// The largest squared frequency of the particles of level 0 to which it may add, if any.
+float fastest_slid_per_s2(const Plan& plan) {
+  const Model& model = plan.model;
+  float fastest = 0;
+  for (std::uint32_t i = 0; has_slides(model) && i < plan.shadows.first_particle; ++i) {
+    if (!(model.slide_room[i] > 0)) continue;
+    const float held = model.hourglass_n_per_m[i] / model.head->hourglass_weight;
+    fastest = max_of(fastest, (model.bound[i] + held) / model.particle_kg[i]);
+  }
+  return fastest;
+}
+
 void fill_coarse(Plan& plan, float limit_per_s2) {
   Model& model = plan.model;
   ModelHead& head = *model.head;
@@ -242,6 +262,7 @@ void fill_coarse(Plan& plan, float limit_per_s2) {
     for (const std::uint32_t node : cell.node) model.cascade_bound[node] += cell.bound_n_per_m;
     cell.bound_n_per_m /= 8;  // a mean is over eight corners
   }
+  fastest = max_of(fastest, fastest_slid_per_s2(plan));
   g.fastest_per_s2 = min_of(fastest, most_filtered_per_s2(limit_per_s2));
   for (std::uint32_t i = g.border_begin; i < g.shadow_begin[1]; ++i) {
     const float kg = model.cascade_kg[i], moved = model.cascade_mobility[i];
@@ -277,6 +298,7 @@ bool bound_coarse(Model& model, float limit_per_s2) {
 void fill_bounds(Plan& plan, float limit_per_s2) {
   fill_cells(plan);
   fill_own_kg(plan);
+  add_slide_room_of_finer(plan);
   const std::uint32_t levels = plan.organ.levels;
   const float coarse = coarse_limit_per_s2(limit_per_s2, levels);
   const float each = (limit_per_s2 - coarse) / static_cast<float>(levels - 1);

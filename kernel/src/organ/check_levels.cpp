@@ -18,9 +18,7 @@ bool check_header(Checker& check, const Organ& organ) {
          check.require(organ.level_planes > 0 &&
                            organ.size_z == first_plane(organ.level_planes, organ.levels) - 1,
                        Status::kOrganSizesDisagree, "levels.planes", 0, organ.level_planes,
-                       "planes of level 0: size_z is count - 1 + planes (2^count - 1)") &&
-         check.require(organ.slide_points.empty(), Status::kOrganSizesDisagree, "levels", 0,
-                       organ.levels, "no slides where there are levels");
+                       "planes of level 0: size_z is count - 1 + planes (2^count - 1)");
 }
 
 // Each level's runs are within its own planes and within the space of all.

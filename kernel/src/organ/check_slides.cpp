@@ -54,9 +54,17 @@ bool check_points(Checker& check, const Organ& organ) {
 bool check_slides(Checker& check, const Organ& organ) {
   return check.require(organ.format_version >= 4, Status::kOrganVersionUnknown, "slides", 0,
                        organ.format_version, "format version 4 where parts slide") &&
+         check.require(organ.levels == 1 || organ.format_version >= 6, Status::kOrganVersionUnknown,
+                       "slides", 0, organ.format_version,
+                       "format version 6 where parts slide and there are levels") &&
          check.require(organ.slide_points.size() <= kMaxSlidePoints, Status::kOrganValueOutOfRange,
                        "slides.points", 0, static_cast<double>(organ.slide_points.size()),
                        "at most 65536 points") &&
+         check.require(
+             organ.slide_bodies.size() == (organ.levels == 1 ? 0 : organ.slide_grounds.size()),
+             Status::kOrganSizesDisagree, "slides.bodies", 0,
+             static_cast<double>(organ.slide_bodies.size()),
+             "one for each ground where there are levels, else none") &&
          check_grounds(check, organ) && check_points(check, organ);
 }
 

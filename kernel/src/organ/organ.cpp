@@ -446,6 +446,7 @@ Organ read(const format::Organ& root, std::span<const std::byte> bytes) {
   if (const format::Slides* slides = root.slides()) {
     organ.slide_points = view<OrganSlidePoint>(slides->points());
     organ.slide_grounds = view<OrganSlideGround>(slides->grounds());
+    organ.slide_bodies = view(slides->bodies());
   }
   return organ;
 }

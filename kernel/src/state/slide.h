@@ -11,16 +11,17 @@
 
 namespace stylet {
 
-// A voxel of the part that is the ground.
+// A voxel of the part that is the ground. Sorted by level, z, body, y, x and slot.
 constexpr std::uint32_t kNoGround = 0xFFFFFFFFU;
 struct SlideGround {
   std::uint32_t slot;       // of the voxel
   std::uint32_t node[8];    // particles at its corners
   float outside_m[8];       // how far its corners at rest lie outside the ground's surface
   Vec3 low_m;               // low corner at rest
-  std::int32_t x, y, z;     // its cell of space
-  std::int32_t sheet;       // in which it lies
-  std::uint32_t beside[6];  // the ground below and above along x, y and z, or kNoGround
+  std::int32_t x, y, z;     // its cell of space, at its level
+  std::uint16_t level;      // of the voxel, whose edge all its places are in
+  std::uint16_t body;       // to which it belongs: a point goes on to grounds of the same one
+  std::uint32_t beside[6];  // that of the same level below and above along x, y, z, or kNoGround
 };
 // A point of the other part's surface.
 struct SlidePoint {

@@ -15,7 +15,7 @@ using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
 constexpr std::uint32_t kFormatVersion = 2, kWithMembranes = 3, kWithSlides = 4, kWithLevels = 5,
-                        kWithSkins = 6;
+                        kNewest = 6;
 
 // Our plain structs and the generated structs have the same bytes.
 template <typename Theirs, typename Mine>
@@ -82,7 +82,9 @@ Offset<format::Membranes> write_membranes(FlatBufferBuilder& builder, const Memb
 Offset<format::Slides> write_slides(FlatBufferBuilder& builder, const OrganParts& parts) {
   const auto points = write_structs<format::SlidePoint>(builder, parts.slide_points);
   const auto grounds = write_structs<format::SlideGround>(builder, parts.slide_grounds);
-  return format::CreateSlides(builder, points, grounds);
+  const auto bodies = parts.levels > 1 ? builder.CreateVector(parts.slide_bodies)
+                                       : Offset<flatbuffers::Vector<std::uint8_t>>();
+  return format::CreateSlides(builder, points, grounds, bodies);
 }
 
 Offset<format::Levels> write_levels(FlatBufferBuilder& builder, const OrganParts& parts) {
@@ -122,11 +124,11 @@ void write_root(FlatBufferBuilder& builder, const OrganParts& parts) {
   const bool has_skins = !parts.skins.empty();
   const auto skins = has_skins ? write_structs<format::Skin>(builder, parts.skins)
                                : Offset<flatbuffers::Vector<const format::Skin*>>();
-  const std::uint32_t version = has_skins       ? kWithSkins
-                                : has_levels    ? kWithLevels
-                                : has_slides    ? kWithSlides
-                                : has_membranes ? kWithMembranes
-                                                : kFormatVersion;
+  const std::uint32_t version = has_skins || (has_levels && has_slides) ? kNewest
+                                : has_levels                            ? kWithLevels
+                                : has_slides                            ? kWithSlides
+                                : has_membranes                         ? kWithMembranes
+                                                                        : kFormatVersion;
   const auto seal = builder.CreateVector(std::vector<std::uint8_t>(32, 0));  // sealed below
   const auto f = [](double value) { return static_cast<float>(value); };
   const auto u = [](std::uint32_t value) { return static_cast<std::uint16_t>(value); };

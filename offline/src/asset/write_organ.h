@@ -48,6 +48,7 @@ struct OrganParts {
   MembraneLists membranes;
   std::vector<OrganSlidePoint> slide_points;
   std::vector<OrganSlideGround> slide_grounds;
+  std::vector<std::uint8_t> slide_bodies;  // of each ground, with levels
   std::string tool_version;
   std::string options;
   std::vector<SourceRecord> sources;

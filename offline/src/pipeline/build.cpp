@@ -481,9 +481,10 @@ std::vector<std::byte> assemble(Claimed claimed, const BuildOptions& options,
   warn_of_losses(held, lattices, given, materials.tissues, warnings);
   parts.membranes = place_membranes(options.membranes, lattices, materials, warnings);
   parts.skins = place_skins(claimed.mesh, lattices, parts.voxel_material, materials.tissues);
-  SlideLists slides = place_slides(options.slides, claimed, lattices.front(), warnings);
+  SlideLists slides = place_slides(options.slides, claimed, lattices, warnings);
   parts.slide_points = std::move(slides.points);
   parts.slide_grounds = std::move(slides.grounds);
+  parts.slide_bodies = std::move(slides.bodies);
   parts.materials = std::move(materials.tissues);
   parts.voxel_fixed = fixed_corners(lattices, claimed, options.held);
   embed_surface(claimed.mesh, lattices, parts);

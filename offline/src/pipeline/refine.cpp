@@ -158,10 +158,6 @@ bool split_for(const Refinement& r, const Claimed& claimed, const BuildOptions& 
 
 void check_refinements(const BuildOptions& options, const std::vector<std::string>& tissues) {
   if (options.refinements.empty()) return;
-  if (!options.slides.empty()) {
-    refuse("{}: beside tissues that slide, which need voxels of one size: expected one of both",
-           options.refinements.front().from);
-  }
   std::set<std::string> known(tissues.begin(), tissues.end());
   for (const Layer& layer : options.layers) known.insert(layer.tissue);
   if (!options.gap_tissue.empty()) known.insert(options.gap_tissue);

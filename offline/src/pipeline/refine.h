@@ -13,8 +13,7 @@
 
 namespace stylet::offline {
 
-// Refuses refinements of tissues that the organ does not have, and beside what needs voxels of one
-// size. `tissues` are those of the inputs.
+// Refuses refinements of tissues that the organ does not have. `tissues` are those of the inputs.
 void check_refinements(const BuildOptions& options, const std::vector<std::string>& tissues);
 
 // The cells of each level that are no voxel's place. `claimed` is as the lattice will be made of

@@ -185,9 +185,11 @@ void warn_of_area(const Slide& slide, const SlideArea& area, const Claimed& clai
 
 // Whether both have voxels; else the user is told.
 bool have_voxels(const Slide& slide, const std::vector<std::string>& sliding,
-                 const Lattice& lattice, std::vector<std::string>& warnings) {
+                 std::span<const Lattice> levels, std::vector<std::string>& warnings) {
   std::uint32_t all = 0;
-  for (const std::uint32_t sides : lattice.sides) all |= sides;
+  for (const Lattice& level : levels) {
+    for (const std::uint32_t sides : level.sides) all |= sides;
+  }
   bool have = true;
   for (const std::string& tissue : {slide.tissue, slide.ground}) {
     if ((all & 2U << number_in(sliding, tissue)) != 0) continue;
@@ -256,7 +258,7 @@ ApartOwners apart_owners(const std::vector<Slide>& slides,
 }
 
 SlideLists place_slides(const std::vector<Slide>& slides, const Claimed& claimed,
-                        const Lattice& lattice, std::vector<std::string>& warnings) {
+                        std::span<const Lattice> levels, std::vector<std::string>& warnings) {
   if (slides.empty()) return {};
   const ApartOwners apart = apart_owners(slides, claimed.tissues);
   const std::vector<std::string> sliding = sliding_tissues(slides);
@@ -273,21 +275,22 @@ SlideLists place_slides(const std::vector<Slide>& slides, const Claimed& claimed
     if (tissue_m.triangles.empty() || ground_m.triangles.empty()) continue;
     const int of_tissue = priority_of(claimed, slide.tissue);
     const int of_ground = priority_of(claimed, slide.ground);
-    const double finest_m = lattice.grid.edge_m / 4;
+    const double finest_m = levels.back().grid.edge_m / 4;
     if (of_tissue > of_ground) ground_m = left_of(ground_m, tissue_m, finest_m);
     if (of_tissue < of_ground) tissue_m = left_of(tissue_m, ground_m, finest_m);
   }
-  SlideLists lists = list_slides(parts, pairs, lattice, claimed.cut);
-  const double edge_m = lattice.grid.edge_m;
+  SlideLists lists = list_slides(parts, pairs, levels, claimed.cut);
+  const double edge_m = levels.front().grid.edge_m;
   for (std::size_t i = 0; i < slides.size(); ++i) {
-    if (!have_voxels(slides[i], sliding, lattice, warnings)) continue;
+    if (!have_voxels(slides[i], sliding, levels, warnings)) continue;
     warn_of_area(slides[i], lists.areas[i], claimed, warnings);
   }
   if (lists.points.size() > kMaxSlidePoints) {
     refuse(
         "--slide: {} points of surfaces at a voxel edge of {:.3g} mm: expected at most {}: "
-        "larger voxels, or --crop",
-        lists.points.size(), edge_m * 1e3, kMaxSlidePoints);
+        "larger voxels, {}--crop",
+        lists.points.size(), edge_m * 1e3, kMaxSlidePoints,
+        levels.size() > 1 ? "less of them finer (--refine), or " : "or ");
   }
   return lists;
 }

@@ -6,6 +6,7 @@
 // not meet, and which surface is left out. Units: metres.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,6 @@ ApartOwners apart_owners(const std::vector<Slide>& slides, const std::vector<std
 
 // Points and grounds of all slides. `claimed` is what the lattice was made of.
 SlideLists place_slides(const std::vector<Slide>& slides, const Claimed& claimed,
-                        const Lattice& lattice, std::vector<std::string>& warnings);
+                        std::span<const Lattice> levels, std::vector<std::string>& warnings);
 
 }  // namespace stylet::offline

@@ -109,7 +109,8 @@ Json byte_facts(const Organ& organ, std::size_t total) {
   const std::size_t membranes = organ.membrane_points.size_bytes() +
                                 organ.membrane_triangles.size_bytes() +
                                 organ.membrane_cells.size_bytes();
-  const std::size_t slides = organ.slide_points.size_bytes() + organ.slide_grounds.size_bytes();
+  const std::size_t slides = organ.slide_points.size_bytes() + organ.slide_grounds.size_bytes() +
+                             organ.slide_bodies.size_bytes();
   const std::size_t known = lattice + organ.vertices.size_bytes() + organ.triangles.size_bytes() +
                             organ.spheres.size_bytes() + membranes + slides +
                             organ.skins.size_bytes();
@@ -149,6 +150,7 @@ Json membrane_facts(const Organ& organ) {
 
 // Which tissues slide on which: the points, and the area that they stand for.
 Json slide_facts(const Organ& organ) {
+  const std::vector<Cell> cells = cells_of(organ);
   struct Points {
     std::size_t points = 0;
     double squares = 0;
@@ -158,7 +160,8 @@ Json slide_facts(const Organ& organ) {
     const std::uint32_t ground = organ.slide_grounds[p.ground].voxel;
     Points& sum = sums[{organ.voxel_material[p.voxel], organ.voxel_material[ground], p.friction}];
     ++sum.points;
-    sum.squares += static_cast<double>(p.area);
+    const std::uint32_t level = level_of(organ, cells[p.voxel]);
+    sum.squares += static_cast<double>(p.area) / (1U << 2 * level);  // of level 0
   }
   Json list = Json::array();
   for (const auto& [which, sum] : sums) {
