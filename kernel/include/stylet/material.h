@@ -29,7 +29,7 @@ namespace stylet {
   /* at the tip while it advances; the part of it in a track that is there already */              \
   F(cutting_force_n, 0, kMaxTipForceN, "0 to 1000", "cutting_force_n", 1, true)                    \
   F(recut_fraction, 0, 1, "0 to 1", "recut_fraction", 1, true)                                     \
-  /* per metre of shaft while sliding, and at rest, which is never less */                         \
+  /* per metre of shaft: Coulomb friction; static friction, at least the Coulomb friction */       \
   F(coulomb_friction_n_per_m, 0, kMaxFrictionNPerM, "0 to 1e4", "coulomb_friction_n_per_mm", 1e3,  \
     true)                                                                                          \
   F(static_friction_n_per_m, 0, kMaxFrictionNPerM, "coulomb_friction_n_per_m to 1e4",              \

@@ -4,10 +4,9 @@
 //
 // The passes run through the planes as a wave: pass j is one plane behind pass j - 1. So a pass
 // keeps only three planes of its start values and two of what voxels send, which stay in a near
-// cache.
-// (Passes one by one over whole arrays do not fit: with 20 000 voxels they took twice the time.) A
-// slab computes the iterates that it needs of planes beside it a second time, so no pass
-// waits for another thread; the bits do not depend on slabs.
+// cache. (Passes one by one over whole arrays do not fit: with 20 000 voxels they took twice the
+// time.) Near its ends a slab needs iterates of planes of the next slab, and computes them itself,
+// too: so no pass waits for another thread. The bits do not depend on slabs.
 //
 // In a pass each voxel computes the mean of its eight corners and sends it to them. Before the
 // first pass, each plane is brought into the order of tiles (lattice/tiles.h); after the last pass,
@@ -139,7 +138,7 @@ STYLET_KEEP_APART void start_plane(const Model& model, const State& state, const
 
 // ---- a pass -------------------------------------------------------------------------------------
 
-// The sum of what a tile takes, two from either array.
+// The sum of what a tile takes: from two tiles of `low` and two of `high`.
 struct Taken {
   const float* from[4];
 
@@ -214,9 +213,9 @@ struct Iterates {
   const float *bounds, *first, *before, *last;
 };
 
-// The next iterates with their parts of w and of those before. In pass 1, where w is the last
-// iterate and none is before it, there are none. (Two functions: a branch on a constant would be
-// one that no test can take both ways.)
+// Adds to the next iterates their parts of w and of the iterates of the pass before. Pass 1 adds
+// nothing: w is its last iterate, and no pass is before it. (Two functions: no test could take a
+// branch on a constant both ways.)
 inline Narrow with_earlier(Narrow next, const Iterates& by, std::ptrdiff_t place, std::false_type) {
   return next + (by.pass.first * load_narrow(by.first + place) +
                  by.pass.before * load_narrow(by.before + place));
@@ -418,7 +417,7 @@ void filter_planes(const Model& model, State& state, const Scratch& scratch, std
     if (t < first_of(passes) + passes) continue;
     const std::uint32_t z = t - passes;
     pass_plane(model, wave, passes, z, wave.work);
-    // Before `begin`, only what its voxels give to the first plane is needed.
+    // Of the plane before `begin`, only what its voxels give to plane `begin` is needed.
     if (z >= begin) move_filtered(model, state, wave.work, wave.packed, z, motion);
   }
 }

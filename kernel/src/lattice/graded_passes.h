@@ -3,8 +3,8 @@
 // passes of filter_passes.h filter level 0, velocities come up, and hanging nodes follow. Part of
 // the lattice sweep, compiled with it once per instruction set.
 //
-// The passes go one by one through all planes of level 0, not as a wave: after each, its border
-// takes what the shadows beside it give.
+// The passes go one by one through all planes of level 0, not as a wave: after each pass, the
+// border of level 0 takes what the shadows beside it give.
 //
 // Internal linkage throughout, as in lanes.h. PHYSICS 3.5.
 #pragma once

@@ -9,8 +9,8 @@
 namespace stylet {
 namespace {
 
-// The force that a hanging node can pass on in a substep is what its bound on stiffness gives at so
-// many edges. Tissue that is torn farther loses momentum there.
+// In a substep a hanging node can pass on the force that its bound on stiffness gives when
+// stretched by so many edges. Tissue that is torn farther loses momentum there.
 constexpr float kFarthest = 16;
 
 // Where in its voxel a node lies, 0 to 1 along each axis.

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes that hang on coarser voxels: what joins the levels of a graded lattice.
 //
-// A hanging node is where its voxel's surface is: u = sum of w u over the voxel's corners around
-// it, its masters. So neighbouring levels fit together without a gap, and a linear displacement is
-// linear across them. By virtual work its forces go to its masters with the same weights, and so
-// does its mass: momentum, its moment and energy are kept. A master may hang itself, on a coarser
-// level. So what nodes give goes from fine to coarse, and how they follow from coarse to fine; the
-// list has the coarse ones first.
+// A hanging node stays on the surface of the coarser voxel: u = sum of w u over its masters, which
+// are the voxel's corners around the node. So neighbouring levels fit together without a gap, and a
+// linear displacement is linear across them. By virtual work the node's forces go to its masters
+// with the same weights, and so does its mass: momentum, moment of momentum and energy are kept. A
+// master may itself hang on a coarser level. So nodes give what they got from fine levels to coarse
+// ones, and then follow their masters from coarse levels to fine ones; the list has the nodes of
+// coarse levels first.
 //
-// A hanging node has a mobility (step over mass) like every particle, so the sweep treats it like
-// one; what it gets so passes on to its masters, scaled by the mobilities. Which one it has does
-// not matter but for rounding. It is so small that the node's momentum is not bounded
-// (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard.
+// A hanging node has a mobility (step over mass) like every particle, so the sweep treats it like a
+// particle; its momentum is then passed on to its masters, scaled by the mobilities. The value of a
+// hanging node's mobility changes only the rounding. It is so small that the node's momentum is not
+// bounded (kMaxEdgesPerSubstep): one side of a face between levels alone pulls hard.
 //
 // Promises: no allocation; a fixed number of operations in a fixed order. PHYSICS 2.9.
 #pragma once
@@ -32,8 +33,9 @@ const HangingNode* hanging_at(const Model& model, std::uint32_t particle);
 inline bool hangs(const Model& model, std::uint32_t particle) {
   return hanging_at(model, particle) != nullptr;
 }
-// Brings shares into the order of their levels, which HangingShare::count has until then, of who
-// gets and of who gives; and then counts for each that gets how many are its own.
+// Until shares are counted, HangingShare::count holds the level. order_shares sorts by level, then
+// by the node that gets, then by the node that gives. count_shares then sets `count` in the first
+// share of each node that gets, to the number of its shares.
 void order_shares(HangingShare* first, HangingShare* end, bool finest_first);
 void count_shares(HangingShare* first, const HangingShare* end);
 // The nodes' mobilities and shares; needs the masters' mobilities, with 0 where they are attached,

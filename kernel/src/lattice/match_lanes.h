@@ -108,8 +108,9 @@ inline void turn_lanes(std::uint32_t lanes, const float (&m)[9][kLanes],
 
 // One step for the corners alone, from their rotation of the last substep, and two for the whole
 // match, from its rotation of the last tick: each lowers the energy. (The corners' rotation is far
-// from the whole's where a shaft has been dragged sideways by more than a voxel: begun there, the
-// steps reached another rotation in every substep and added 0.7 mJ. With the sweep's plain step for
+// from that of the whole match where a shaft has been dragged sideways by more than a voxel. Steps
+// for the whole match that began at the corners' rotation reached another rotation in every
+// substep and added 0.7 mJ. With the sweep's plain step for
 // the corners, or with two, tissue dragged to a hundredfold of its length gained 0.2 to 0.3 uJ.)
 STYLET_KEEP_APART void turn_matches(std::uint32_t lanes, Matches& matches) {
   turn_lanes(lanes, matches.corner, matches.corner_turn, matches.corner_turn);

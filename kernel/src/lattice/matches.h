@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Matches of voxels that hold constraint particles (CPs): loads from memory into the step's
-// registers what a match of a voxel's corners with its CPs reads, and stores the results. Lists in
-// the scratch name these voxels and supports (coupling/match.h makes them once a tick); the lattice
-// only follows the lists.
+// Matches of voxels that hold constraint particles (CPs), each a match of the voxel's corners
+// together with its CPs. The functions here load the input of these matches from memory into the
+// step's registers, and store their results. Lists in the scratch name the voxels and supports
+// (coupling/match.h makes them once a tick); the lattice only follows the lists.
 //
 // Promises: bounded by limits.h, no allocation, a fixed order of sums: needles, their CPs, their
 // supports. Compiled once, for all instruction sets. Units SI, frame of the attachments. Source:
@@ -33,9 +33,9 @@ struct Matches {
   alignas(64) float whole[kLanes];           // stiffness of the whole match
   alignas(64) float centre_m[3][kLanes];     // of the corners, then of the match
   alignas(64) float sum[kSums][kLanes];
-  alignas(64) float corner[9][kLanes];       // matrices of the corners alone and together with the
-  alignas(64) float joint[9][kLanes];        // constraint particles, row-major
-  alignas(64) float corner_turn[4][kLanes];  // their rotations w, x, y, z
+  alignas(64) float corner[9][kLanes];       // matrix of the corners alone, row-major
+  alignas(64) float joint[9][kLanes];        // of corners and constraint particles together
+  alignas(64) float corner_turn[4][kLanes];  // rotations of the two matrices: w, x, y, z
   alignas(64) float joint_turn[4][kLanes];
   alignas(64) float rotation[9][kLanes];  // rotation of the match, row-major
 };

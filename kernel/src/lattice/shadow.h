@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // True mass on a graded lattice: a cascade of levels in place of many passes of the filter.
 //
-// The finer a voxel, the faster its short waves: passes that slow those of the finest level would
-// have to go through all levels, many times. Here each level slows its own. Where there are finer
-// voxels, each level has shadows: nodes and cells that are not tissue, so that a motion that is
-// long for the fine voxels is a motion of the coarse ones. With P_l the interpolation of nodes of
+// The finer a voxel, the faster its short waves: passes that slow the waves of the finest level
+// would have to go through all levels, many times. Here each level slows its own waves. Where there
+// are finer voxels, each level has shadows: nodes and cells that are not tissue, so that a motion
+// that is long for the fine voxels is a motion of the coarse cells. With P_l the interpolation of
+// nodes of
 // level l to those of the finest, D_l mobilities (velocity over momentum) and f a momentum, the
 // velocity is
 //     v = P_0 psi(D_0 L_0) D_0 P_0^T f  +  sum over l > 0 of  P_l D_l P_l^T f :
@@ -14,12 +15,13 @@
 // that of f, exactly. A constant velocity stays what it is: at a shadow of level 0 the mobility is
 // less by what finer levels add.
 //
-// Stability: the largest eigenvalue of a sum is at most the sum of theirs. Most of the limit is
-// level 0's, the others share the rest. A cell's bound b (filter.h) as a form of the
-// corners of the cell that holds it is at most half of theirs with twice b: eight children with the
-// same b give exactly that, and a child that is missing or softer gives less. Where a cell's
-// corners do not follow from those of the cell that holds it (attached and tied nodes), its bound
-// goes to the nodes below by their weights.
+// Stability: the largest eigenvalue of a sum is at most the sum of the terms' largest eigenvalues.
+// Level 0 gets most of the step's limit, the other levels share the rest. A cell's bound b
+// (filter.h), as a form of the corners of the coarser cell that holds it, is at most half of the
+// form of these corners with the bound 2 b: eight children with the same b give exactly that, and
+// a child that is missing or softer gives less. Where a cell's corners do not follow from the
+// corners of the coarser cell (attached and tied nodes), its bound goes to the coarser nodes by
+// their weights.
 //
 // Promises: no allocation; a fixed number of operations in a fixed order, the same on every
 // instruction set. PHYSICS 3.5.
@@ -41,12 +43,12 @@ void count_shadows(const Organ& organ, std::uint64_t fine, Counts& counts_io);
 bool bound_coarse(Model& model, float limit_per_s2);
 // Needs masses, with those that are attached. `limit`: of the step (filter.h).
 void fill_shadows(const Organ& organ, Model& model, float limit_per_s2);
-// The part of the limit that is level 0's; so many levels.
+// The part of the limit that level 0 gets in a lattice of so many levels.
 float coarse_limit_per_s2(float limit_per_s2, std::uint32_t levels);
 
-// What the cascade keeps in a step: momenta and then velocities of all nodes; of the border and the
-// shadows of level 0 mobilities (1/kg; times stiffness, 1/s^2), what the passes start from, three
-// iterates, and what cells give in a pass.
+// What the cascade keeps in a step: for all nodes, their momenta and then their velocities; for the
+// border and the shadows of level 0, their mobilities (1/kg; times stiffness, 1/s^2), what the
+// passes start from, three iterates, and what cells give in a pass.
 struct CascadeVectors {
   Four *all, *mobility, *start, *iterate[3], *got;
 

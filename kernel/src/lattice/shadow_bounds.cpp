@@ -39,7 +39,7 @@ struct AnyCell {
   LevelPlace at;
   std::uint32_t node[8];
   float bound_n_per_m, fastest_per_s2;
-  bool follows;  // its corners follow from those of the cell around it
+  bool follows;  // its corners follow from the corners of the coarser cell that holds it
 };
 
 // A weighted mean of nodes.
@@ -90,8 +90,9 @@ Mean without_hanging(const Plan& plan, Mean mean) {
   return mean;
 }
 
-// Whether a node at a corner of a cell moves with the corners of the cell around that: with those
-// that lie around its place, in the cell's own sheet. (Weights are powers of two: sums are exact.)
+// Whether a node at a corner of a cell moves with corners of the coarser cell that holds the cell:
+// with the corners that lie around the node's place, in the cell's own sheet. (Weights are powers
+// of two: sums are exact.)
 bool follows(const Plan& plan, const LevelPlace& place, std::uint32_t node) {
   Mean wanted, own;
   for_each_parent(place, [&](const LevelPlace& parent, float weight) {
@@ -157,7 +158,7 @@ void for_each_cell_of(const Plan& plan, std::uint32_t level, VisitCell visit) {
 
 // ---- mobilities ---------------------------------------------------------------------------------
 
-// Adds what nodes of a level have to the coarser ones that they give to.
+// Adds what each node of a level has to the coarser nodes that it gives to.
 void add_down(const Plan& plan, std::uint32_t level, float* of_nodes) {
   const Shares all = down_shares(plan, level);
   for (const HangingShare* s = all.first; s != all.end; ++s) {

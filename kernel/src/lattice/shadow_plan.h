@@ -37,8 +37,8 @@ Place as_in_file(const Organ& organ, const LevelPlace& at) {
 // Whether a particle moves by itself: it is not attached, not hanging, not tied to another one.
 bool is_free(const Model& model, std::uint32_t node);
 
-// A particle's node of the cascade. One of level 0 must be of the border. And the other way; a
-// shadow is no particle.
+// The node of the cascade that is this particle; a particle of level 0 must be in the border. And
+// the particle that is this node of the cascade; kNone for a shadow.
 std::uint32_t node_of_particle(const Plan& plan, std::uint32_t particle);
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 std::uint32_t particle_of_node(const Plan& plan, std::uint32_t node);

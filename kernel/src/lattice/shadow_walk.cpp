@@ -14,7 +14,8 @@ bool has_voxel(const Organ& organ, const LevelPlace& at) {
   return has_voxel(organ, {at.x, at.x + 1}, place.y, place.z);
 }
 
-// Whether a level has a voxel in a coarser cell, in its first so many rows (y first, then z).
+// Whether a level has a voxel in a coarser cell, in the first `rows` rows of the cell (y first, then
+// z).
 bool has_voxel_in(const Organ& organ, const LevelPlace& cell, std::uint32_t level,
                   std::uint32_t rows) {
   const std::uint32_t ratio = 1U << (level - cell.level);
@@ -26,7 +27,8 @@ bool has_voxel_in(const Organ& organ, const LevelPlace& cell, std::uint32_t leve
   }
   return false;
 }
-// Whether a run is the first that has a voxel in a cell: no coarser one has, and none before it.
+// Whether a run is the first with a voxel in a cell: no run of a coarser level has one, and no run
+// of the same level before it.
 bool is_first_in(const Organ& organ, const LevelPlace& cell, const OrganRun& run) {
   const LevelPlace own = place_in_level(organ, {run.x, run.y, run.z});
   for (std::uint32_t level = cell.level + 1; level < own.level; ++level) {

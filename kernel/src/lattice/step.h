@@ -7,8 +7,8 @@
 // are summed. 3 each window of nodes collects what the voxel rows at its sides send
 // (lattice/plan.h), as soon as both are matched. Then the particles of the plane's low side have
 // all their forces and move (with true mass: get their momentum, and lattice/filter_passes.h moves
-// them). Some rows of clusters and two planes of forces stay in cache; nothing else is stored. (A
-// stored plane of clusters left the nearest cache: 8 % more time.)
+// them). Some rows of clusters and two planes of forces stay in cache; nothing else is stored.
+// (When whole planes of clusters were stored, they did not fit the nearest cache: 8 % more time.)
 //
 // Voxels that hold constraint particles are matched before the sweep, all together. Plane by plane,
 // the few in each plane took the time of a full group of lanes: at 5000 voxels 7 % of the step.
@@ -155,7 +155,7 @@ void move_particles(const Model& model, State& state, const Plane& plane, float*
   float* e = state.ex + plane.particle_begin;
   const float* per_mass = model.step_per_mass + plane.particle_begin;
   const float* hold = model.hourglass_n_per_m + plane.particle_begin;
-  // The padding is not written: the slab below may be reading it.
+  // The padding is not written: the thread of the slab below may be reading it.
   for_each_group(plane, [&](std::ptrdiff_t i) {
     for (std::ptrdiff_t c = 0; c < 3; ++c) {
       const std::ptrdiff_t at = i + c * axis, f = i + c * force_axis;
@@ -372,7 +372,8 @@ void sweep_part(const Kernel& kernel, Part& part) {
   part.largest_m = largest_displacement(motion);
 }
 
-// The particles of a slab: those at its low side; for the last slab also those at its high side.
+// Filters the particles at the low sides of a slab's planes; for the last slab also those at its
+// high side.
 void filter_part(const Kernel& kernel, Part& part) {
   part.planes = 0;
   part.largest_m = 0;

@@ -9,11 +9,12 @@
 // was an eighth of the step of two threads.)
 //
 // Threads are not equally fast: another load on the same core, a late start. A thread that is done
-// with its slab helps with the others, plane by plane from their far ends, except for the last few.
+// with its slab helps with the other slabs, plane by plane from each slab's far end, except for the
+// last few planes.
 //
 // The caller of tick publishes a step and takes slabs like every other thread. It also sweeps the
 // slabs that no helper has taken in time. So a helper may be late or absent: the caller waits only
-// for helpers that have begun one. Forces on particles from below and from above are summed
+// for helpers that have begun a slab. Forces on particles from below and from above are summed
 // separately in any case, so the bits do not depend on slabs.
 //
 // Promises: no lock, no system call, no allocation; every loop but the wait is bounded by the
@@ -44,8 +45,9 @@ struct alignas(64) Part {
   float *sums, *force, *kept;
   float* filter;      // as Scratch::filter, in a slab's own part
   const Part* apart;  // begins at the same particles, which this one moves; or null
-  // From the last sweep: its lowest voxel plane and how many; the forces on the particles at both
-  // ends; whether it fetched and moved those where it begins; the largest displacement.
+  // From the last sweep: the lowest voxel plane that it swept, and how many planes; the forces on
+  // the particles at both ends; whether it fetched and moved the particles where it begins; the
+  // largest displacement.
   std::uint32_t begin, planes;
   float *low, *high;
   bool fetched, moved;

@@ -8,12 +8,12 @@
 // and the passes walk flat lists, without a loop for each row. (With rows as the sweep stores them,
 // one behind the other without gaps, most loads crossed lines and the ends of rows were masked: a
 // tissue step of a large organ took 12 to 22 % more time. Tiles of 16 places for AVX-512 took 3 %
-// more in long rows and 11 % more in an organ's.) Only the passes' own arrays have this order;
-// pieces say what of a tile lies where among slots and particles.
+// more in long rows and 11 % more in the rows of an organ.) Only the passes' own arrays have this
+// order; pieces say which part of a tile lies where among slots and particles.
 //
 // In an array of a plane each tile has three groups of lanes one after the other, mostly x, y and
-// z: all that a pass does with a tile is near. The first tile is empty: what it holds is zero. It
-// stands for lines that are not there.
+// z: all that a pass does with a tile is near. The first tile is empty (zeros) and stands for lines
+// that are not there.
 //
 // Promises as in plan.h. At creation only.
 #pragma once
@@ -26,9 +26,9 @@ constexpr std::uint32_t kTile = 8;
 constexpr std::uint32_t kTileFloats = 3 * kTile;
 static_assert(kGap >= kTile);  // so no tile has lanes of two stretches of a line
 
-// Arrays that the passes keep. Of each plane that some pass still needs: what they start from, and
-// bounds. For each pass: three planes of iterates, two of what voxels send. And the plane at work;
-// in addition, the same in the order of particles.
+// Arrays that the passes keep. Of each plane that some pass still needs: start values and bounds.
+// For each pass: three planes of iterates, two planes of what voxels send. And one array for the
+// plane at work; the same plane in the order of particles has its own array, not counted here.
 constexpr std::uint32_t kPassPlanes = 5;
 constexpr std::uint32_t kFilterArrays =
     2 * (kMaxFilterPasses + 1) + kPassPlanes * kMaxFilterPasses + 1;

@@ -38,8 +38,8 @@ bool is_own(const Model& model, std::uint32_t slot, Vec3 f) {
   return ((model.quarters[slot] >> bit) & 1U) != 0;
 }
 
-// The level's filled voxel of a cell in space, from all sheets: the owner of the place `f`; else
-// any of them.
+// The level's filled voxel of a cell in space, from all sheets: the voxel that owns the place `f`;
+// if none owns it, any filled voxel of the cell.
 bool voxel_around(const Model& model, const Cell& cell, Vec3 f, std::uint32_t& slot_out,
                   std::uint32_t& row_out) {
   bool found = false;
@@ -110,8 +110,8 @@ float tent(const Around& around, std::int32_t corner) {
          ((corner & 4) != 0 ? f.z : 1 - f.z);
 }
 
-// The level whose cells around a place hold it: that of the voxel in which it lies; of a place in
-// none, the finest one with a voxel around it.
+// The level whose cells around a place hold it: the level of the voxel in which the place lies; if
+// it lies in no voxel, the finest level with a voxel around the place.
 std::uint32_t level_around(const Model& model, Vec3 rest_m) {
   std::uint32_t slot = 0, row = 0;
   Vec3 part = {};
@@ -130,8 +130,8 @@ std::uint32_t level_around(const Model& model, Vec3 rest_m) {
 // How far within its cell a place is moved, in edges: on a face it could be either cell's.
 constexpr float kInset = 1.0F / 16;
 
-// Where a cell around a place belongs to another level: the coarser voxel that holds it, or of the
-// finer ones in it the one that is nearest to the place.
+// For a cell around a place that belongs to another level: the coarser voxel that holds the cell,
+// or, of the finer voxels in the cell, the one nearest to the place.
 bool voxel_across(const Model& model, const Around& around, std::int32_t corner,
                   std::uint32_t& slot_out, std::uint32_t& row_out) {
   const ModelHead& head = *model.head;

@@ -62,11 +62,11 @@ inline Vec3 cell_of(const Model& model, std::uint32_t slot, const Row& row) {
 
 Vec3 rest_centre(const Model& model, std::uint32_t slot, const Row& row);
 
-// Tied nodes are one particle: its number.
+// The number of the one particle that a node and the nodes tied to it are.
 inline std::uint32_t particle_of(const Model& model, std::uint32_t node) {
   return model.head->counts.sheets > 1 ? model.representative[node] : node;
 }
-// Each of them gets the sum of their values.
+// Gives each of the tied nodes that are one particle the sum of their values.
 void sum_tied(const Model& model, float* of_node);
 
 // Whether a voxel's material has a thin skin.
@@ -102,9 +102,9 @@ bool inside_lattice(const Model& model, Vec3 rest_m);
 
 // The material at a rest point, finer than voxels (OrganMixed); kNoTissue outside of all tissue.
 std::uint32_t material_at(const Model& model, Vec3 rest_m);
-// The same for a place that tissue holds. If the voxel's plane leaves it outside of all tissue, it
-// is the voxel's own: builds know such a plane to an eighth of an edge, so a place of the surface
-// may lie beyond it.
+// The same for a place that tissue holds. If the voxel's plane leaves the place outside of all
+// tissue, the voxel's own material is returned: builds know such a plane to an eighth of an edge,
+// so a place of the surface may lie beyond it.
 std::uint32_t material_held_at(const Model& model, Vec3 rest_m);
 
 }  // namespace stylet

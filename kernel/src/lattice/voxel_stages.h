@@ -75,11 +75,12 @@ void clear_first(const Sums& sums) {
 // Stage 2 is five loops, over as many lanes at a time as stay in the nearest cache. One loop would
 // take fewer instructions, but a quarter more time for the whole step: a group of lanes is a chain
 // of three roots and a division, so long that the processor sees little of the next group during it
-// and waits. So each of the first four loops has one root or division: during the rest of the loop
-// the slow unit that computes it finishes the group before.
+// and waits. So each of the first four loops has one root or division: the slow unit that computes
+// it finishes one group of lanes while the other units work on the next.
 
-// What passes from loop to loop, in whole registers: where it lay across lines of the cache, the
-// step took 4 % more time. Later numbers overwrite those no longer needed: 1 % less time.
+// What passes from loop to loop, in whole registers. (Registers that lay across lines of the cache
+// made the step take 4 % more time.) Later numbers overwrite numbers that are no longer needed: 1 %
+// less time.
 struct alignas(64) Seen {
   float ax[kChunk], ay[kChunk], az[kChunk];  // K's side, then the quaternion's x, y, z
   float sx[kChunk], sy[kChunk], sz[kChunk], sxy[kChunk], sxz[kChunk], syz[kChunk];  // its block
@@ -173,7 +174,7 @@ STYLET_KEEP_APART void unit_slots(std::uint32_t lanes, const Seen& seen, const S
   }
 }
 
-// Carried along the rows from the slots before: for each component T + X, Y + Z, Y - Z.
+// What the slots before leave to the next slot of a row: for each component T + X, Y + Z, Y - Z.
 struct Carry {
   Wide last[3][3];
 };

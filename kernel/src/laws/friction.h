@@ -3,16 +3,19 @@
 //
 // Coulomb friction, static friction that fades over the Stribeck speed, and a viscous part:
 //     f(v) = f_c + (f_s - f_c) exp(-(v / v_s)^2) + f_v v.
-// Speeds have no sign; the return map knows the direction. Another law with these numbers changes
-// friction_n_per_m and least_friction_n_per_m. One more number is also a line of the list below,
-// and where no material has it yet, one in stylet/material.h (tests/unit/add_law_test.py). A law
-// that a tissue chooses is added to the first: each law has lines of its own in the list, whose
-// forces are 0 in tissues of the other law. So a shaft in two tissues has each law on its part of
-// the length. (A choice by name would have no mean over the two.)
+// Speeds have no sign; the return map knows the direction.
 //
 // Promises: no branch on hardware, no allocation; same bits everywhere. Units SI.
 // Source: Okamura, Simone, O'Leary 2004 (needle friction by the modified Karnopp model); Stribeck's
 // curve as in Armstrong-Helouvry, Dupont, Canudas de Wit 1994. PHYSICS 12.1.
+//
+// To change it (kernel/own_law.md): another law with these numbers changes friction_n_per_m and
+// least_friction_n_per_m. One more number is also a line of the list below, and if no material has
+// it yet, a line in stylet/material.h. A law that a tissue chooses is added to the first: each law
+// has lines of its own in the list, whose forces are 0 in tissues of the other law. So a shaft in
+// two tissues has each law on its part of the length. (A choice by name would have no mean over the
+// two.) tests/unit/add_law_test.py finds the two functions by the text of their first lines: change
+// its LAW and LEAST together with them.
 #pragma once
 
 #include "base/math.h"

@@ -11,10 +11,9 @@
 
 namespace stylet {
 
-// Of a voxel of some level, with the skin spread over it: shear modulus, and lambda over twice that
-// modulus.
+// What the voxels of one level are made of, the thin skin spread over the voxel.
 struct LatticeMaterial {
-  float shear_pa, volume_ratio;  // see above
+  float shear_pa, volume_ratio;  // shear modulus; lambda over twice the shear modulus
 };
 
 // What the tick needs to know of a material; derived once.
@@ -25,7 +24,7 @@ struct MaterialModel {
   float stiffening;                            // exponent b of strain stiffening; 0: none
   float puncture_exponent;                     // of the speed
   float relaxing_fraction, relaxation_time_s;  // of its forces
-  float real_kg, stepped_kg;                   // of its voxels; the second with what the step adds
+  float real_kg, stepped_kg;                   // of its voxels; with the mass that the step adds
 };
 
 // Where the paper's rules differ from the physical model (PHYSICS 16). Filled once from

@@ -6,7 +6,7 @@
 
 namespace stylet {
 
-// Of the material that the tip has entered last; or of another one.
+// Logs an event in the material that the tip has entered last, or in material `layer`.
 void add_event(State& state, EventKind kind, float force_n);
 void add_event(State& state, EventKind kind, float force_n, std::uint32_t layer);
 

@@ -44,25 +44,25 @@ struct TiedNode {
 };
 
 constexpr std::uint32_t kMasters = 4;  // at most: the corners of a voxel's face
-// A node on the surface of a coarser voxel. It moves as that voxel's corners around it do, its
-// masters: with their weights, which add up to 1. Less than four masters: the others' weights are
-// 0.
+// A node on the surface of a coarser voxel. The corners of that voxel around the node are its
+// masters, and it moves by the weighted mean of their motions. The weights add up to 1; a node with
+// fewer than four masters has the weight 0 for the others.
 struct HangingNode {
   std::uint32_t node, master[kMasters];  // particles
   float weight[kMasters];                // of the masters
 };
-// What a node gives to another of all that it has got, listed by the one that gets it. Of a hanging
-// node in the sweep: the weight, times the master's mobility over the node's own.
+// The share that node `from` gives to node `to` of all that `from` has got. A hanging node in the
+// sweep gives each master its weight, times the master's mobility over the hanging node's own.
 struct HangingShare {
   std::uint32_t to, from;  // particles, or nodes of the cascade
-  float share;             // of what `from` has
-  std::uint32_t count;     // of the shares from here on that go to this node from one level's nodes
+  float share;             // of what `from` has got
+  std::uint32_t count;     // in the first of the shares of a level that have one `to`: how many
 };
 
 // A cell of some level in which there are finer voxels (lattice/shadow.h).
 struct ShadowCell {
   std::uint32_t node[8];  // of the cascade, at its corners (bits x, y, z)
-  float bound_n_per_m;    // of its stiffness at each corner; of level 0, over 8
+  float bound_n_per_m;    // on its stiffness at each corner; in level 0 divided by 8
   float fastest_per_s2;   // of its motions, if it were full
   std::uint16_t x, y, z;  // as in the file
 };
@@ -96,14 +96,16 @@ struct Window {
   std::uint32_t low, high;  // the first node, in the particle planes below and above
 };
 
-// Eight places of the filter's passes (lattice/tiles.h): the four that it takes from, as places
-// in an array of a plane. Voxels take from nodes at (y, y + 1) below, then above; nodes from voxels
-// at (y - 1, y) below, then above.
+// Eight places of the filter's passes (lattice/tiles.h), which take values from four other tiles.
+// Voxels take from nodes at (y, y + 1) below, then above; nodes take from voxels at (y - 1, y)
+// below, then above.
 struct Tile {
-  std::uint32_t from[4];  // see above
-  std::uint32_t ready;    // of voxels: tiles of nodes below them that then have got everything
+  std::uint32_t from[4];  // where the four tiles begin in an array of their plane
+  // For a tile of voxels: how many tiles of nodes of its plane have got all that they take once
+  // this tile has sent.
+  std::uint32_t ready;
 };
-// What of a stretch lies in the tile of the same index.
+// The part of a stretch that lies in the tile with the same index.
 struct Piece {
   std::int32_t at;      // the tile's first lane among a plane's slots or particles, or before them
   std::uint32_t lanes;  // a bit for each that is the stretch's

@@ -44,7 +44,7 @@ struct Counts {
   std::uint32_t windows[2];               // of 8 and of 16 lanes, lattice/plan.h
   std::uint32_t sheets, ties;             // 1 and 0 without parts that share a cell
   std::uint32_t levels;                   // of voxels; 1: all have one edge
-  std::uint32_t hanging, hanging_shares;  // nodes; what they give to masters (2.9)
+  std::uint32_t hanging, hanging_shares;  // nodes; what they give to masters (PHYSICS 2.9)
   // Of a graded lattice with true mass (lattice/shadow.h): nodes of the cascade, shadows among
   // them, shadow cells, particles of level 0 beside them, shares from level to level.
   std::uint32_t cascade, shadows, shadow_cells, border, shadow_shares;
@@ -112,12 +112,12 @@ struct ScratchHead {
   std::uint32_t padding[14];       // to a cache line; zero
 };
 
-// F(name, type, count); `c` is Counts; what is named last in a line writes the array. For the
-// spring of a constraint particle, `stretch` is how far this tick pulls it, and `place` is where
-// its end is in this substep. Only with true mass: the bounds on the stiffness of a voxel and of a
-// particle (laws/filter.h), `coupling_bound` (what constraint particles add to a particle's in this
-// tick), momentum over mass (w). The model's last two only with sheets: the particle of each node,
-// and which quarters of its cell are a voxel's own (sub-samples, organ.fbs).
+// F(name, type, count); `c` is Counts. The comment above an entry says what the array holds and, at
+// its end, which code writes it. For the spring of a constraint particle, `stretch` is how far this
+// tick pulls it, and `place` is where its end is in this substep. Only with true mass: the bounds
+// on the stiffness of a voxel and of a particle (laws/filter.h); `coupling_bound`, which
+// constraint particles add to the bound of a particle in this tick; momentum over mass (w). Only
+// with sheets: `representative`, and `quarters` (sub-samples, organ.fbs).
 #define STYLET_MODEL_FIELDS(F)                                                           \
   /* head: configuration, counts, materials, what creation derived */                    \
   F(head, ModelHead, 1)                                                                  \

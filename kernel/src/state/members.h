@@ -16,12 +16,12 @@ struct CoupledVoxel {
   std::uint32_t slot, row;                                // where it is
   std::uint32_t first_member, last_member, member_count;  // its list
 };
-// Up to kLanes of them in the order of plane_order: where they are, and how their constraint
-// particles change their corners.
+// Up to kLanes coupled voxels in the order of plane_order: where they are, and how the constraint
+// particles in them change the forces on their corners.
 struct MatchGroup {
-  struct Side {                       // low or high, along z
-    std::uint32_t node[2][kLanes];    // particle at the voxel's (x, y + dy)
-    float change_n[2][3][kLanes][2];  // at dx = 0 and 1 of that row
+  struct Side {                       // four corners of each voxel: those at low z, or at high z
+    std::uint32_t node[2][kLanes];    // [dy][voxel]: lattice particle at the corner with dx = 0
+    float change_n[2][3][kLanes][2];  // [dy][axis][voxel][dx]: change of the force on a corner
   };
   Side side[2];                // low, high
   std::uint32_t count;         // voxels

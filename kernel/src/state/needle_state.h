@@ -45,8 +45,8 @@ struct Particle {                // a constraint particle
   float memory_spread;           // relaxed part of the supports' spread
   float axial_fraction;          // axial compliance over that of spring and it together
   float slip_m_per_s;            // low-passed
-  Friction friction;             // mean over the shaft length it carries, as the tip met it
-  float friction_length_m;       // the part of that length that has been sampled
+  Friction friction;             // mean over the shaft length it carries, sampled at the tip
+  float friction_length_m;       // how much of that length has been sampled
   Vec3 slip_m;                   // way of the needle past the tissue in this tick
   std::uint32_t material;        // of the tissue that holds it: index in the organ file
   std::uint32_t support_count;   // of the supports that are in use, the first ones

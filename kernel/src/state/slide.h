@@ -30,8 +30,8 @@ struct SlidePoint {
   float weight[8];                    // theirs
   float stiffness_n_per_m, friction;  // of its contact; Coulomb's coefficient
   float rest_outside_m;               // at most 0: parts may overlap at rest
-  std::uint32_t ground;               // where it is at rest, and its place there
-  Vec3 place;                         // in edges from the ground's low corner
+  std::uint32_t ground;               // in which it is at rest
+  Vec3 place;                         // in that ground at rest: edges from the low corner
 };
 struct SlideState {
   Vec3 place;               // in its ground at rest
