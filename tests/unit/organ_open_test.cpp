@@ -59,51 +59,24 @@ Change material(const std::function<void(format::MaterialT&)>& change) {
   return [change](Owner& o) { change(*o.materials[0]); };
 }
 
+#define STYLET_WRITTEN(field, ...) &format::MaterialT::field,
+constexpr float format::MaterialT::*kWritten[] = {STYLET_MATERIAL_NUMBERS(STYLET_WRITTEN)};
+#undef STYLET_WRITTEN
+
+// Every number of the list, also later ones, twice its range below and above: refused with its
+// name, the value and the limits in words.
 std::vector<Case> material_cases() {
-  const Status range = Status::kOrganValueOutOfRange;
-  using M = format::MaterialT;
-  return {
-      {"density", material([](M& m) { m.density_kg_per_m3 = 0.5F; }), range, "density_kg_per_m3", 0,
-       0.5, "1 to 20000"},
-      {"modulus", material([](M& m) { m.youngs_modulus_pa = 2e9F; }), range, "youngs_modulus_pa", 0,
-       2e9, "1 to 1e9"},
-      {"poisson", material([](M& m) { m.poisson_ratio = 0.5F; }), range, "poisson_ratio", 0, 0.5,
-       "0 to 0.49"},
-      {"relaxing", material([](M& m) { m.relaxing_fraction = 1; }), range, "relaxing_fraction", 0,
-       1, "0 to 0.95"},
-      {"time", material([](M& m) { m.relaxation_time_s = 0; }), range, "relaxation_time_s", 0, 0,
-       "0.001 to 1e5"},
-      {"puncture", material([](M& m) { m.puncture_force_n = -1; }), range, "puncture_force_n", 0,
-       -1, "0 to 1000"},
-      {"cutting", material([](M& m) { m.cutting_force_n = 1001; }), range, "cutting_force_n", 0,
-       1001, "0 to 1000"},
-      {"recut", material([](M& m) { m.recut_fraction = 1.5F; }), range, "recut_fraction", 0, 1.5,
-       "0 to 1"},
-      {"coulomb", material([](M& m) { m.coulomb_friction_n_per_m = -2; }), range,
-       "coulomb_friction_n_per_m", 0, -2, "0 to 1e4"},
-      {"static below coulomb", material([](M& m) { m.static_friction_n_per_m = 5; }), range,
-       "static_friction_n_per_m", 0, 5, "coulomb_friction_n_per_m to 1e4"},
-      {"stribeck", material([](M& m) { m.stribeck_velocity_m_per_s = 0; }), range,
-       "stribeck_velocity_m_per_s", 0, 0, "1e-6 to 10"},
-      {"viscous", material([](M& m) { m.viscous_friction_n_s_per_m2 = 2e6F; }), range,
-       "viscous_friction_n_s_per_m2", 0, 2e6, "0 to 1e6"},
-      {"exponent", material([](M& m) { m.puncture_velocity_exponent = 0.75F; }), range,
-       "puncture_velocity_exponent", 0, 0.75, "0 to 0.5"},
-      {"membrane", material([](M& m) { m.membrane_n_per_m = 2e5F; }), range, "membrane_n_per_m", 0,
-       2e5, "0 to 1e5"},
-      {"toughness", material([](M& m) { m.fracture_toughness_j_per_m2 = 2e5F; }), range,
-       "fracture_toughness_j_per_m2", 0, 2e5, "0 to 1e5"},
-      {"rate", material([](M& m) { m.toughness_velocity_exponent = 0.75F; }), range,
-       "toughness_velocity_exponent", 0, 0.75, "0 to 0.5"},
-      {"coefficient", material([](M& m) { m.needle_friction_coefficient = 2.5F; }), range,
-       "needle_friction_coefficient", 0, 2.5, "0 to 2"},
-      {"pressure", material([](M& m) { m.fluid_pressure_pa = -6e4F; }), range, "fluid_pressure_pa",
-       0, -6e4, "-5e4 to 1e5"},
-      {"conductance", material([](M& m) { m.fluid_conductance_m3_per_pa_s = 0.5F; }), range,
-       "fluid_conductance_m3_per_pa_s", 0, 0.5, "0 to 1e-4"},
-      {"viscosity", material([](M& m) { m.fluid_viscosity_pa_s = 11; }), range,
-       "fluid_viscosity_pa_s", 0, 11, "0 to 10"},
-  };
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < std::size(kMaterialNumbers); ++i) {
+    const MaterialNumber& number = kMaterialNumbers[i];
+    const float range = number.most - number.least;
+    for (const float value : {number.least - range, number.most + range}) {
+      cases.push_back({number.name, material([i, value](auto& m) { m.*kWritten[i] = value; }),
+                       Status::kOrganValueOutOfRange, number.name, 0, static_cast<double>(value),
+                       number.expected});
+    }
+  }
+  return cases;
 }
 
 std::vector<Case> lattice_cases() {
@@ -539,25 +512,9 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
     return changed(
         [high](Owner& o) {
           format::MaterialT& m = *o.materials[0];
-          m.density_kg_per_m3 = high ? 20000 : 1;
-          m.youngs_modulus_pa = high ? kMaxYoungsModulusPa : kMinYoungsModulusPa;
-          m.poisson_ratio = high ? kMaxPoissonRatio : 0;
-          m.relaxing_fraction = high ? 0.95F : 0;
-          m.relaxation_time_s = high ? 1e5F : 1e-3F;
-          m.puncture_force_n = m.cutting_force_n = high ? 1000 : 0;
-          m.recut_fraction = high ? 1 : 0;
-          m.coulomb_friction_n_per_m = m.static_friction_n_per_m = high ? 1e4F : 0;
-          m.stribeck_velocity_m_per_s = high ? 10 : 1e-6F;
-          m.viscous_friction_n_s_per_m2 = high ? 1e6F : 0;
-          m.puncture_velocity_exponent = high ? 0.5F : 0;
-          m.membrane_n_per_m = high ? 1e5F : 0;
-          m.strain_stiffening = high ? 1e3F : 0;
-          m.fracture_toughness_j_per_m2 = high ? 1e5F : 0;
-          m.toughness_velocity_exponent = high ? 0.5F : 0;
-          m.needle_friction_coefficient = high ? 2 : 0;
-          m.fluid_pressure_pa = high ? 1e5F : -5e4F;
-          m.fluid_conductance_m3_per_pa_s = high ? 1e-4F : 0;
-          m.fluid_viscosity_pa_s = high ? 10 : 0;
+          for (std::size_t i = 0; i < std::size(kMaterialNumbers); ++i) {
+            m.*kWritten[i] = high ? kMaterialNumbers[i].most : kMaterialNumbers[i].least;
+          }
           o.voxel_edge_m = high ? kMaxVoxelEdgeM : kMinVoxelEdgeM;
           o.origin_x_m = o.origin_y_m = o.origin_z_m = high ? kMaxOriginM : -kMaxOriginM;
           std::fill(o.voxel_fill.begin(), o.voxel_fill.end(), std::uint8_t{1});
@@ -579,56 +536,16 @@ TEST(OrganOpen, AcceptsEveryLimitItself) {
   }
 }
 
-// And they are refused just beyond it.
-TEST(OrganOpen, RefusesJustBeyondEveryLimit) {
-  using M = format::MaterialT;
-  const std::vector<Change> changes = {
-      material([](M& m) { m.density_kg_per_m3 = 20000.5F; }),
-      material([](M& m) { m.youngs_modulus_pa = 1.001e9F; }),
-      material([](M& m) { m.poisson_ratio = 0.491F; }),
-      material([](M& m) { m.relaxing_fraction = 0.951F; }),
-      material([](M& m) { m.relaxation_time_s = 1.001e5F; }),
-      material([](M& m) { m.puncture_force_n = 1000.5F; }),
-      material([](M& m) { m.cutting_force_n = 1000.5F; }),
-      material([](M& m) { m.recut_fraction = 1.01F; }),
-      material([](M& m) { m.static_friction_n_per_m = 1.001e4F; }),
-      material([](M& m) { m.stribeck_velocity_m_per_s = 10.01F; }),
-      material([](M& m) { m.viscous_friction_n_s_per_m2 = 1.001e6F; }),
-      material([](M& m) { m.puncture_velocity_exponent = 0.501F; }),
-      material([](M& m) { m.membrane_n_per_m = 1.01e5F; }),
-      material([](M& m) { m.strain_stiffening = 1001; }),
-      material([](M& m) { m.fracture_toughness_j_per_m2 = 1.01e5F; }),
-      material([](M& m) { m.toughness_velocity_exponent = 0.501F; }),
-      material([](M& m) { m.needle_friction_coefficient = 2.01F; }),
-      material([](M& m) { m.fluid_pressure_pa = 1.01e5F; }),
-      material([](M& m) { m.fluid_pressure_pa = -5.01e4F; }),
-      material([](M& m) { m.fluid_conductance_m3_per_pa_s = 1.01e-4F; }),
-      material([](M& m) { m.fluid_conductance_m3_per_pa_s = -1e-12F; }),
-      material([](M& m) { m.fluid_viscosity_pa_s = 10.01F; }),
-      material([](M& m) { m.fluid_viscosity_pa_s = -1e-6F; }),
+// And they are refused just beyond it; of a material's numbers,
+// KeepsEveryMaterialNumberWithinTheLimitsItNames tests that.
+TEST(OrganOpen, RefusesJustBeyondEveryLimitOfTheLattice) {
+  const Change changes[] = {
       [](Owner& o) { o.voxel_edge_m = 0.1001F; },
       [](Owner& o) { o.origin_z_m = 100.5F; },
-      material([](M& m) { m.density_kg_per_m3 = 0.99F; }),
-      material([](M& m) { m.youngs_modulus_pa = 0.99F; }),
-      material([](M& m) { m.poisson_ratio = -0.01F; }),
-      material([](M& m) { m.relaxing_fraction = -0.01F; }),
-      material([](M& m) { m.relaxation_time_s = 0.99e-3F; }),
-      material([](M& m) { m.puncture_force_n = -0.01F; }),
-      material([](M& m) { m.cutting_force_n = -0.01F; }),
-      material([](M& m) { m.recut_fraction = -0.01F; }),
-      material([](M& m) { m.coulomb_friction_n_per_m = -0.01F; }),
-      material([](M& m) { m.stribeck_velocity_m_per_s = 0.99e-6F; }),
-      material([](M& m) { m.viscous_friction_n_s_per_m2 = -0.01F; }),
-      material([](M& m) { m.puncture_velocity_exponent = -0.01F; }),
-      material([](M& m) { m.membrane_n_per_m = -1; }),
-      material([](M& m) { m.strain_stiffening = -0.01F; }),
-      material([](M& m) { m.fracture_toughness_j_per_m2 = -1; }),
-      material([](M& m) { m.toughness_velocity_exponent = -0.01F; }),
-      material([](M& m) { m.needle_friction_coefficient = -0.01F; }),
       [](Owner& o) { o.voxel_edge_m = 0.99e-4F; },
       [](Owner& o) { o.origin_y_m = -100.1F; },
   };
-  for (std::size_t i = 0; i < changes.size(); ++i) {
+  for (std::size_t i = 0; i < std::size(changes); ++i) {
     Organ organ;
     EXPECT_EQ(organ_open(changed(changes[i], small()), organ), Status::kOrganValueOutOfRange) << i;
   }
@@ -647,9 +564,6 @@ TEST(OrganOpen, ListsTheNumbersOfAMaterialAsTheSchemaDoes) {
 // For every number of the list, also later ones: a value just beyond a limit is refused with the
 // name, the value and the correct limits; a value at a limit is read as it was written.
 TEST(OrganOpen, KeepsEveryMaterialNumberWithinTheLimitsItNames) {
-#define STYLET_WRITTEN(field, ...) &format::MaterialT::field,
-  float format::MaterialT::*const written[] = {STYLET_MATERIAL_NUMBERS(STYLET_WRITTEN)};
-#undef STYLET_WRITTEN
   for (std::size_t i = 0; i < std::size(kMaterialNumbers); ++i) {
     const MaterialNumber& number = kMaterialNumbers[i];
     const bool at_rest = number.field == &Material::static_friction_n_per_m;
@@ -657,13 +571,13 @@ TEST(OrganOpen, KeepsEveryMaterialNumberWithinTheLimitsItNames) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     for (const float end : {least, number.most}) {
       const float value = std::nextafter(end, end == least ? -kInfinity : kInfinity);
-      expect_refused({number.name, material([&](auto& m) { m.*written[i] = value; }),
+      expect_refused({number.name, material([&](auto& m) { m.*kWritten[i] = value; }),
                       Status::kOrganValueOutOfRange, number.name, 0, static_cast<double>(value),
                       number.expected});
       Organ organ;
       const auto bytes = changed(material([&](auto& m) {
                                    m.static_friction_n_per_m = 1e4F;
-                                   m.*written[i] = end;
+                                   m.*kWritten[i] = end;
                                  }),
                                  small());
       ASSERT_EQ(organ_open(bytes, organ), Status::kOk) << number.name;
