@@ -12,7 +12,7 @@ namespace stylet::app {
 
 struct Measurement {
   const char* name;
-  bool has_body;  // a body of a recording's ticks was measured
+  bool has_body;  // its cycles ran ticks of a recording, so measured.body is their time
   hal::Measured measured;
 };
 

@@ -88,7 +88,8 @@ bool is_segment(std::string_view key, std::string_view field, std::size_t& numbe
   if (!key.starts_with(kWord) || !key.ends_with(field)) return false;
   key.remove_prefix(kWord.size());
   key.remove_suffix(std::min(key.size(), field.size()));
-  if (key.starts_with('0') && key != "0") return false;  // its fields are looked for by the number
+  // Later the fields of segment N are looked for with N as it is usually written, so not with "01".
+  if (key.starts_with('0') && key != "0") return false;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
   return error == std::errc{} && end == key.data() + key.size();
 }

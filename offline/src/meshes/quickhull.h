@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The convex hull of points as a surface, faces outward. The same points in the same order give the
-// same vertices and faces in the same order, whatever lies in the heap. Source: CGAL's
-// convex_hull_3 (quickhull).
+// same vertices and faces in the same order: the result does not depend on addresses of memory.
+// Source: CGAL's convex_hull_3 (quickhull).
 #pragma once
 
 #include <vector>

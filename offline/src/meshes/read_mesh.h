@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads mesh files as triangles, in every format that readers.inc lists.
 //
-// Promises: an unreadable file is refused with one line (`file:line: value: expected ...`, or
-// `file: byte n: ...` for binary files); geometry that is merely ill-formed is read and counted.
+// Promises: an unreadable file is refused with one line, `file:line: value: expected ...` of a text
+// file, `file: byte n: value: expected ...` of a binary file; geometry that is merely ill-formed is
+// read and counted.
 // Memory and time are linear in the size of the file, whatever its header claims. Every point that
 // a triangle uses is finite. Polygons become fans around their first corner. Units: the file's,
 // until scale_to_metres.

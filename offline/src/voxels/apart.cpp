@@ -44,7 +44,8 @@ void offer_cell(const Claims& claims, std::uint32_t cell, const ApartOwners& apa
   }
 }
 
-// In the cell itself, else in the cells around.
+// The owner on these sides that has most samples in the cell, or, if none has any, in the cells
+// around it.
 std::uint16_t owner_on(const Claims& claims, std::uint32_t cell, const ApartOwners& apart,
                        std::uint32_t sides) {
   BestOwner best;
@@ -54,7 +55,7 @@ std::uint16_t owner_on(const Claims& claims, std::uint32_t cell, const ApartOwne
   const std::uint32_t x = cell % size[0], y = cell / size[0] % size[1],
                       z = cell / size[0] / size[1];
   for (std::uint32_t n = 0; n < 27; ++n) {
-    // Below 0: beyond the size.
+    // An index below 0 wraps to one beyond the size.
     const std::uint32_t cx = x + n % 3 - 1, cy = y + n / 3 % 3 - 1, cz = z + n / 9 - 1;
     if (cx >= size[0] || cy >= size[1] || cz >= size[2]) continue;
     offer_cell(claims, static_cast<std::uint32_t>(cell_index(claims.grid, cx, cy, cz)), apart,

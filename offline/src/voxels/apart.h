@@ -54,11 +54,11 @@ class SampleSides {
   SampleSides(const Claims& claims, const ApartOwners& apart);
 
   const ApartOwners& owners() const { return apart_; }
-  // At least one; those of a cell with one side are all its 64 samples.
+  // At least one entry; in a cell with one side, the entry has all 64 samples.
   std::span<const SideSamples> in(std::uint32_t cell) const;
   // The samples of a cell that a side joins.
   std::uint64_t joined(std::uint32_t cell, std::uint32_t side) const;
-  // The sides of some of a cell's samples, as bits; of a cell without samples, its own.
+  // The sides of some of a cell's samples, as bits; for no samples, the sides of the cell itself.
   std::uint32_t sides(std::uint32_t cell, std::uint64_t samples) const;
 
  private:

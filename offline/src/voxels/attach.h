@@ -26,7 +26,7 @@ struct Region {
   bool is_fraction = false;
   Box box_m;
   Mesh mesh_m;                     // of kTouching
-  std::vector<std::string> notes;  // warnings of who read that mesh
+  std::vector<std::string> notes;  // warnings that came up when the mesh was read
 };
 
 // An empty result means a free body. `option` is the option that refusals name.

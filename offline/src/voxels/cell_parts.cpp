@@ -101,8 +101,8 @@ void CellParts::find_parts() {
   first.push_back(static_cast<std::uint32_t>(parts.size()));
 }
 
-// Joins specks to a larger part of their cell: to the connected one, or if alone to the nearest
-// that they are not apart from.
+// Joins specks to a larger part of their cell: to the connected part, or, if none is connected, to
+// the nearest part that they are not apart from.
 std::vector<CellPart> CellParts::settled(std::size_t voxel) {
   std::vector<CellPart> own(parts.begin() + first[voxel], parts.begin() + first[voxel + 1]);
   if (own.size() == 1) return own;
@@ -137,7 +137,8 @@ std::vector<CellPart> CellParts::settled(std::size_t voxel) {
   return kept;
 }
 
-// The first of the parts that is connected with another one, or their number.
+// The index in `kept` of the first part of a set that `part` is not apart from; kept.size() if
+// there is none.
 std::size_t CellParts::same_set(const std::vector<CellPart>& kept,
                                 const std::vector<std::uint32_t>& kept_set, const CellPart& part,
                                 std::uint32_t set) const {

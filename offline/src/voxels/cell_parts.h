@@ -37,7 +37,7 @@ struct CellPart {
   std::uint32_t sheet = kNoSheet;
   bool crowded = false;      // a part of a neighbouring cell does not touch it
   std::uint64_t inside = 0;  // its samples
-  std::uint32_t sides = 1;   // what it consists of (voxels/apart.h); without samples: its host
+  std::uint32_t sides = 1;   // that it consists of (voxels/apart.h); without samples: its host's
   std::uint64_t quarters = kFullCell;
   std::array<std::uint8_t, 8> group{};  // per corner: parts of the same group share the particle
   bool is_voxel = true;                 // else another level has the voxel of this place
@@ -68,7 +68,7 @@ class CellParts {
   template <typename Visit>
   void each_part(const CellPlace& from, const CellStep& step, Visit visit) const {
     const auto& size = lattice_.grid.size;
-    const auto x = from.x + static_cast<std::uint32_t>(step.x);  // below 0: beyond the size
+    const auto x = from.x + static_cast<std::uint32_t>(step.x);  // below 0: wraps beyond the size
     const auto y = from.y + static_cast<std::uint32_t>(step.y);
     const auto z = from.z + static_cast<std::uint32_t>(step.z);
     if (x >= size[0] || y >= size[1] || z >= size[2]) return;
@@ -81,8 +81,8 @@ class CellParts {
   // Parts without samples follow their hosts; if these are missing: connected.
   bool linked(std::uint32_t i, std::uint32_t j) const;
 
-  // Samples in cells of another side that touch nothing of their own: no part has them. A voxel of
-  // theirs would be alone.
+  // Samples in cells of another side that touch no part of their own side. No part has them,
+  // because a voxel of these samples would be connected with nothing.
   struct Stray {
     std::uint32_t cell;
     std::uint64_t samples;

@@ -11,7 +11,8 @@ double side(const Plane& plane, Vec place) {
   return dot(plane.normal, place);
 }
 
-// Sets the limit so that each side has as many samples as `beyond` says; if one has none, nothing.
+// Sets the limit so that each side has as many samples as `beyond` says. Leaves it if one side has
+// none.
 void set_limit(const SamplePlaces& places, std::uint64_t beyond, Plane& plane) {
   const auto first = static_cast<std::size_t>(std::popcount(~beyond));
   if (first == 0 || first == kCellSamples) return;

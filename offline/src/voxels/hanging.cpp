@@ -32,7 +32,7 @@ bool find_touched(const Lattice& coarser, std::uint32_t ratio, const Place& node
       const bool below = (side >> axis & 1U) != 0;
       const bool on_face = node[axis] % ratio == 0;
       cell_out[axis] =
-          node[axis] / ratio - (below && on_face ? 1U : 0U);  // below 0: beyond the size
+          node[axis] / ratio - (below && on_face ? 1U : 0U);  // below 0: wraps beyond the size
       within = within && cell_out[axis] < grid.size[axis];
     }
     if (within && coarser.voxel_of_cell[cell_index(grid, cell_out[0], cell_out[1], cell_out[2])] !=

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nodes of finer voxels that lie on the surface of coarser ones, with which they move
-// (kernel/schema/organ.fbs); and the lattice of all levels as the file has it. Each hangs on the
-// coarsest voxel that it touches: so all its neighbours at that place agree on where it is.
+// (kernel/schema/organ.fbs); and the lattice of all levels as the file has it. Each such node hangs
+// on the coarsest voxel that it touches: so all voxels around the node agree on where it is.
 //
 // Places are those of the organ's lattice. Time and memory: linear in the cells of all levels.
 #pragma once

@@ -59,7 +59,8 @@ struct Lattice {
   std::vector<OrganPart> parts;
   std::vector<SharedCell> shared;    // sorted by cell, then voxel
   std::vector<std::uint32_t> sides;  // of each voxel (voxels/apart.h), if any inputs are apart
-  // Where parts were split: what hangs on the level before; nodes and voxels in their own levels.
+  // Where parts were split: the nodes that hang on voxels of the level before. Places of nodes and
+  // voxels are in their own levels.
   std::optional<std::vector<OrganHanging>> hanging;
 };
 constexpr std::uint32_t kNoVoxel = 0xFFFFFFFF;

@@ -89,7 +89,7 @@ void Splitting::split_beside(std::uint32_t level, std::size_t cell) {
   const auto& size = grids_[level].size;
   const auto [x, y, z] = place(level, cell);
   for (std::uint32_t n = 0; n < 27; ++n) {
-    // Below 0: beyond the size.
+    // An index below 0 wraps to one beyond the size.
     const std::array<std::uint32_t, 3> at = {x + n % 3 - 1, y + n / 3 % 3 - 1, z + n / 9 - 1};
     if (at[0] < size[0] && at[1] < size[1] && at[2] < size[2]) split(level - 1, around(level, at));
   }

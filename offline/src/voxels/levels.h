@@ -19,7 +19,7 @@ using LevelCells = std::vector<std::vector<std::uint8_t>>;
 // The grids of level 0 to `halvings`; refused if the finest is too large for organ files or memory.
 std::vector<Grid> level_grids(const Grid& coarsest, std::uint32_t halvings);
 
-// What is said of cells of level 0, for the cells within them at another level. Empty stays empty.
+// Gives each cell of a level the value of the cell of level 0 that holds it. Empty stays empty.
 std::vector<std::uint8_t> inherited(const std::vector<std::uint8_t>& coarsest, const Grid& grid,
                                     std::uint32_t level);
 

@@ -6,9 +6,9 @@
 // tissue begins, by a plane with as many samples on each side as the tissues have, like the
 // piecewise linear interfaces of volume-of-fluid methods (Rider and Kothe 1998). Tried before: one
 // bit per sub-sample (4 x 4 x 4), whose stairs still changed friction by a tenth. A voxel keeps its
-// own material and the one that most other samples have; a third counts as its own. Voxels that
-// share a cell have their own samples each; beyond their planes is no tissue. Time and memory:
-// linear in the cells. Units: metres; in a cell, edges.
+// own material and the one that most of its other samples have; samples of a third material count
+// as the voxel's own. Voxels that share a cell have their own samples each; beyond their planes is
+// no tissue. Time and memory: linear in the cells. Units: metres; in a cell, edges.
 #pragma once
 
 #include <vector>

@@ -27,11 +27,11 @@ class NodeGroups {
   std::vector<AtNode> around(const CellPlace& node) const;
 
   // Marks parts, at voxels and beside them, that do not touch all parts of their cell and of the
-  // cells around it; whether there are any. Then the groups at their corners; at all others every
-  // part is of group 0.
+  // cells around it, and returns whether there are any. If so, finds the groups at the corners of
+  // the marked parts; at all other corners every part is of group 0.
   bool find_crowded();
   void find_groups();
-  // Parts with a corner there share the particle from now on.
+  // From now on these parts, which all have the node as a corner, share its particle.
   void unite(const CellPlace& node, std::span<const std::uint32_t> parts);
 
   // Calls visit(node) once for each corner of the parts that `wanted` accepts, sorted by z, then y,

@@ -67,7 +67,7 @@ class Hanging {
     for (std::uint32_t side = 0; side < 8; ++side) {
       const auto along = [&](std::uint32_t at, std::uint32_t axis) {
         const bool below = (side >> axis & 1U) != 0 && at % 2 == 0;
-        return at / 2 - (below ? 1U : 0U);  // below 0: beyond the size
+        return at / 2 - (below ? 1U : 0U);  // below 0: wraps beyond the size
       };
       const CellPlace cell = {along(node.x, 0), along(node.y, 1), along(node.z, 2)};
       bool has_voxel = false;
@@ -112,9 +112,9 @@ class Hanging {
         if (is_one) add(parent_of(at.part));
       }
       if (decided) continue;
-      // There is next to nothing of the coarser voxel here, or anywhere in it: its own level tells
-      // what it is connected with. Slivers of the finer level it does not know; then it is
-      // connected with them if it is with all that it knows around it.
+      // The coarser voxel has next to no samples here, or nowhere any: the parts of the coarser
+      // level tell what is connected. If a finer part is a sliver, it belongs to no coarser part.
+      // The sliver then hangs on a coarser part that touches all coarser parts around it.
       for (const AtNode& at : around) {
         const CellPart& own = fine_.cells.parts[at.part];
         if (!own.is_voxel || group_of(at) != group) continue;
@@ -137,7 +137,7 @@ class Hanging {
     return parent_[part];
   }
 
-  // Those of all finer parts in a coarser cell.
+  // Finds the coarser parts that the finer parts in a coarser cell belong to.
   void find_parents(const CellPlace& cell) {
     std::vector<std::uint32_t> parts;
     for (std::uint32_t child = 0; child < 8; ++child) {
@@ -181,7 +181,8 @@ class Hanging {
     return {2 * cell.x + (child & 1U), 2 * cell.y + (child >> 1U & 1U), 2 * cell.z + (child >> 2U)};
   }
 
-  // Which of the parts in a coarser cell has this place of it; their number: none.
+  // The index in `parts` (finer parts in a coarser cell) of the part that owns a place in that
+  // cell; parts.size() if none does.
   std::size_t part_with(const CellPlace& cell, Vec place,
                         const std::vector<std::uint32_t>& parts) const {
     std::uint32_t child = 0, quarter = 0;

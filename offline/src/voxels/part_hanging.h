@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which parts hang on which, where levels of voxels meet and parts do not touch (voxels/sheets.h).
 //
-// Each level knows its parts also a little beyond its voxels: where another level has them, its own
-// parts tell what is connected with what. Finer parts in a coarser cell that are connected within
-// it belong to the coarser part that has most of its samples in them. (To none, if these are too
-// few to be a part: a sliver of another body, for which the coarser cell has no voxel.) So a node
-// of finer voxels hangs on the coarser parts that own the parts which share its particle. If there
-// are several, these share the particles of the nodes around: what finer samples connect is
-// connected. A node whose parts touch nothing there is free.
+// Each level also knows parts a little beyond its own voxels: in cells where another level has the
+// voxels, these parts tell what is connected with what. Finer parts in a coarser cell that are
+// connected within the cell belong together, to the coarser part that has most of its samples in
+// them. (They belong to none if those samples are too few to be a part: then they are a sliver of
+// another body, for which the coarser cell has no voxel.) So a node of finer voxels hangs on the
+// coarser parts to which the finer parts belong that share the node's particle. If there are
+// several such coarser parts, they share the particles of the nodes around: what finer samples
+// connect is connected. A node whose parts touch nothing there is free.
 //
 // Time: linear in the parts. Units: cell edges.
 #pragma once
@@ -22,7 +23,8 @@ struct GroupHangs {
   std::uint32_t on;    // a part of the coarser level
 };
 
-// Sorted by node, then group. Groups of both levels have been found; those of the coarser one grow.
+// Sorted by node, then group. Needs the groups of both levels, and unites some of the coarser
+// level.
 std::vector<GroupHangs> hang_groups(const NodeGroups& fine, const SamplePlaces& places,
                                     const ApartOwners& apart, NodeGroups& coarse_io);
 

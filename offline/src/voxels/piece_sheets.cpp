@@ -18,7 +18,8 @@ using Sheets = std::map<std::uint32_t, std::uint32_t>;  // of a piece: its sheet
 
 class Pieces {
  public:
-  // Of one sheet, the row behind the last one must be empty once there are several.
+  // A lattice of one sheet has no empty row behind its last one; as soon as there are several
+  // sheets, each needs one.
   explicit Pieces(std::vector<Lattice>& levels)
       : levels_(levels),
         rows_(std::max(levels[0].sheet_rows, levels.back().grid.size[1] + 1)),
@@ -108,7 +109,7 @@ class Pieces {
     std::map<std::uint32_t, std::set<std::uint32_t>> near;
     for (const auto& [cell, pieces] : in_cell) {
       for (std::uint32_t n = 0; n < 27; ++n) {
-        // Below 0: beyond the size.
+        // An index below 0 wraps to one beyond the size.
         const std::array<std::uint32_t, 3> other = {cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1,
                                                     cell[2] + n / 9 - 1};
         if (other[0] >= size[0] || other[1] >= size[1] || other[2] >= size[2]) continue;
@@ -124,7 +125,7 @@ class Pieces {
     return near;
   }
 
-  // The largest pieces choose first, each the first sheets that those near it have not got.
+  // The largest pieces choose first; each takes the first sheets that no piece near it has.
   void choose_sheets(const std::map<std::uint32_t, std::set<std::uint32_t>>& near) {
     std::map<std::uint32_t, std::size_t> voxels;
     for (std::uint32_t i = 0; i < piece_.size(); ++i) {

@@ -7,7 +7,7 @@
 // finer voxels in cells of level 0 that touch.
 //
 // Promises: pieces stay as they are; only sheets, rows and the voxels' order change. If there are
-// not as many sheets, the smallest pieces share one. Time: n log n in the voxels.
+// not enough sheets, the smallest pieces share one. Time: n log n in the voxels.
 #pragma once
 
 #include <vector>

@@ -323,9 +323,9 @@ class LevelSplitter {
   std::vector<std::uint32_t> merged_as_;  // of each part before parts were merged
 };
 
-// The cells of a level that are four cells or less from one of its voxels. What is connected with
-// what is asked of parts beside voxels and of those beside them; it depends on cells up to two
-// away.
+// The cells of a level that are four cells or less from one of its voxels. Parts up to two cells
+// from a voxel are asked what they are connected with, and each answer depends on cells up to two
+// away from the part.
 std::optional<Lattice> around_voxels(Claims& claims, const Lattice& lattice,
                                      std::vector<std::uint8_t> gone) {
   constexpr int kAround = 4;

@@ -3,9 +3,10 @@
 // is inside.
 //
 // Steps as in squashing cubes (James, Barbic, Twigg 2004): exact triangle/cube overlap marks the
-// surface; a flood from outside finds what is enclosed; the generalised winding number decides
-// where the flood proves nothing: beside the surface, and everywhere in a mesh with holes. If faces
-// disagree about the outside even after repair, thirteen rays vote instead.
+// surface; a flood from outside finds what is enclosed. The generalised winding number decides the
+// cells of which the flood proves nothing: those beside the surface, and all cells if the mesh has
+// holes. If faces disagree about which side is outside even after repair, thirteen rays vote
+// instead of the winding number.
 //
 // Promises: every point of the surface lies in a voxel marked as pierced or within kTouch of one;
 // the filled part is known to 1/64. Time: linear in triangles and cells, n log n in surface cells.
@@ -47,7 +48,7 @@ Grid make_grid(const Box& box_m, double edge_m);
 struct Occupancy {
   std::vector<std::uint64_t> inside;   // per cell, one bit for each sample point
   std::vector<std::uint8_t> pierced;   // 1: the surface passes through the cell
-  std::size_t decided_by_winding = 0;  // cells inside, though the flood came in through a hole
+  std::size_t decided_by_winding = 0;  // cells inside that the flood reached through a hole
 };
 
 // `solid` is in metres.
