@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A format of meshes is one file and one line: this adds a new one to a copy of the readers,
-touches nothing else, and read_mesh and the help texts know it.
+touches nothing else, and read_mesh and the help texts know it. A reader that needs a library adds
+that to the list in readers.cmake.
 
 usage: add_reader_test.py SOURCE
 """
@@ -42,6 +43,32 @@ ReadMesh read_points(std::string_view file, std::string_view bytes) {
 }  // namespace stylet::offline
 """
 
+# Its reader calls a library: the file's only line is a text, the mesh a triangle of its size in x.
+LIBRARY = ("set(mesh_reader_libraries ",
+           "find_package(ZLIB REQUIRED)\nset(mesh_reader_libraries ZLIB::ZLIB ")
+PACKED = """// SPDX-License-Identifier: GPL-3.0-or-later
+#include <zlib.h>
+
+#include "meshes/lines.h"
+
+namespace stylet::offline {
+
+ReadMesh read_packed(std::string_view file, std::string_view bytes) {
+  std::string text(100, ' ');
+  uLongf size = text.size();
+  const auto* packed = reinterpret_cast<const Bytef*>(bytes.data());
+  if (uncompress(reinterpret_cast<Bytef*>(text.data()), &size, packed, bytes.size()) != Z_OK) {
+    refuse_at(Place{file}, "bytes", "a stream of zlib");
+  }
+  Mesh mesh{{{0, 0, 0}, {double(size), 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  Collector collector{file};
+  collector.mesh = mesh;
+  return finish(std::move(collector));
+}
+
+}  // namespace stylet::offline
+"""
+
 PROGRAM = """#include <cstdio>
 #include "meshes/read_mesh.h"
 
@@ -59,12 +86,11 @@ int main(int, char** arguments) {
 BUILD = """cmake_minimum_required(VERSION 3.22)
 project(readers CXX)
 set(CMAKE_CXX_STANDARD 20)
-find_package(fmt REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 include(src/meshes/readers.cmake)
 add_executable(read main.cpp src/base/file.cpp src/meshes/read_mesh.cpp ${mesh_readers})
 target_include_directories(read PRIVATE src)
-target_link_libraries(read PRIVATE fmt::fmt OpenSSL::Crypto)
+target_link_libraries(read PRIVATE ${mesh_reader_libraries} OpenSSL::Crypto)
 """
 
 

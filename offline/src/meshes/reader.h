@@ -3,6 +3,10 @@
 // file has room for, the points and polygons read so far, and the list of the readers. lines.h has
 // the cursor over a text file, bytes.h that over a binary one. Private to the readers and to what
 // calls one by itself.
+//
+// A reader that hands the bytes to a parser in C must not throw through it, as C code cannot be
+// unwound: a callback catches, keeps std::current_exception() and stops the parser; once the parser
+// has returned, the reader calls std::rethrow_exception().
 #pragma once
 
 #include <cstdint>

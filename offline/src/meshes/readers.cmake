@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sets mesh_readers: the files that read meshes, one for each reader that readers.inc names, and
-# what they share.
+# what they share; and mesh_reader_libraries: what these files are linked with, wherever they are
+# built. A reader that needs one more library adds it to this list, with its find_package.
+find_package(fmt REQUIRED)
+set(mesh_reader_libraries fmt::fmt)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
   ${CMAKE_CURRENT_LIST_DIR}/readers.inc)
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/readers.inc mesh_readers REGEX "^STYLET_MESH_READER")
