@@ -593,6 +593,23 @@ TEST(Program, ReportsSayWhatWasRepaired) {
   EXPECT_EQ(html.find("a&b<c"), std::string::npos);
 }
 
+// Commands that show an organ say of a mesh what makes an organ of it, and still open an organ
+// whose name ends as that of a mesh.
+TEST(Program, TellsWhatMakesAnOrganOfAMesh) {
+  const Scratch scratch;
+  for (const std::string name : {"a.off", "a.STL"}) {
+    const auto mesh = scratch.write(name, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (const std::string command : {"check", "info"}) {
+      const Result r = run({command, mesh.string()});
+      EXPECT_EQ(r.exit_code, 1);
+      expect_one_line(r.err, name + ": a mesh: expected an organ file; `stylet-organ build` makes");
+    }
+  }
+  const std::string organ = (scratch.folder / "ball.organ").string();
+  ASSERT_EQ(run({"phantom", "ball", "-o", organ}).exit_code, 0);
+  EXPECT_EQ(run({"info", scratch.write("b.off", slurp(organ)).string()}).exit_code, 0);
+}
+
 TEST(Program, ChecksExplainDamage) {
   const Scratch scratch;
   const std::string organ = (scratch.folder / "a.organ").string();

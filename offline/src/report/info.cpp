@@ -11,6 +11,7 @@
 #include "asset/write_organ.h"
 #include "base/file.h"
 #include "base/refusal.h"
+#include "meshes/read_mesh.h"
 #include "organ_generated.h"
 #include "stylet/content_sum.h"
 #include "stylet/kernel.h"
@@ -254,6 +255,9 @@ Organ open_organ(const std::string& file, std::span<const std::byte> bytes) {
   Organ organ;
   OrganRefusal refusal;
   if (organ_open(bytes, organ, &refusal) != Status::kOk) {
+    if (is_mesh_name(file)) {
+      refuse("{}: a mesh: expected an organ file; `stylet-organ build` makes an organ of it", file);
+    }
     refuse("{}: {}", file, describe(refusal));
   }
   if (!has_its_bytes(bytes, organ)) {
