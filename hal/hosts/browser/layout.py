@@ -47,7 +47,8 @@ def constants_of(header):
 
 
 def statements(body):
-    """The fields' lines, each with the comment before or behind it."""
+    """[(line, before)] of the fields: the line with what stands behind the field in it, and the
+    comment on the lines before, or "" if there is none."""
     lines, before = [], ""
     for line in re.findall(r"^ *(/\*.*?\*/$|[^;]*;[^\n]*(?:\n +\*[^\n]*)*)", body, re.S | re.M):
         if line.startswith("/*"):
@@ -62,6 +63,19 @@ def plain(comment):
     return re.sub(r"\s*\n\s*\*\s*", " ", comment or "").strip()
 
 
+def kind_of(name, of, known):
+    """(kind in layout.mjs, bytes, alignment) of the type `of` of a field of the struct `name`."""
+    if of in SCALARS:
+        kind, size, _ = SCALARS[of]
+        return kind, size, size
+    if of in known:
+        _, size, align = known[of]
+        return of, size, align
+    if of == "char":
+        return "char", 1, 1
+    sys.exit(f"layout.py: {name}: type {of}")
+
+
 def fields_of(name, body, constants, known):
     """[(field, type, kind, offset, count, doc)], bytes, alignment."""
     fields, at, widest = [], 0, 1
@@ -70,9 +84,7 @@ def fields_of(name, body, constants, known):
         if not parts:
             sys.exit(f"layout.py: {name}: {line!r}: expected a field")
         of, names, behind = parts.groups()
-        kind, size, align = (SCALARS[of][0], SCALARS[of][1], SCALARS[of][1]) \
-            if of in SCALARS else (of, known[of][1], known[of][2]) if of in known \
-            else ("char", 1, 1) if of == "char" else sys.exit(f"layout.py: {name}: type {of}")
+        kind, size, align = kind_of(name, of, known)
         for each in names.split(","):
             field, _, count = each.strip().partition("[")
             count = count.rstrip("]")
