@@ -5,11 +5,13 @@ heap.
 
 usage: self_test.py REPOSITORY BUILD_FOLDER
 """
+import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 sys.dont_write_bytecode = True
 import replay_test  # noqa: E402
@@ -73,6 +75,24 @@ class VirtualTime(unittest.TestCase):
         found = {"a": (1009, 0), "b": (1011, 0), "c": (989, 0)}
         said = list(virtual_time.faults(committed, found))
         self.assertEqual([line[0] for line in said], ["b", "c"])
+
+    def test_an_update_measures_insertions_recorded_by_this_source(self):
+        done = []
+
+        def step(name, result=None):
+            return lambda *_: (done.append(name), result)[1]
+
+        with tempfile.TemporaryDirectory() as folder, \
+                mock.patch.object(target, "skip_without", step("look")), \
+                mock.patch.object(virtual_time, "record_cases", step("record")), \
+                mock.patch.object(target, "build", step("build")), \
+                mock.patch.object(virtual_time, "measure", step("measure", {"one": (7, 5)})):
+            repository = pathlib.Path(folder)
+            (repository / "tests/cross").mkdir(parents=True)
+            virtual_time.main(repository, TESTS_BUILD, ["--update"])
+            self.assertEqual(done, ["look", "record", "build", "measure"])
+            found = virtual_time.read_numbers(repository / "tests/cross/virtual_time.txt")
+            self.assertEqual(found, {"one": 7})
 
     def test_a_missing_case_is_a_failure(self):
         self.assertEqual(len(list(virtual_time.faults({}, {"a": (1, 0)}))), 1)

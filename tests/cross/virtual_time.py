@@ -4,11 +4,13 @@
 largest number is committed.
 
 The emulator's time is a count of instructions, so no other load on the machine can change it. The
-numbers are in virtual_time.txt; --update writes them anew.
+numbers are in virtual_time.txt; --update writes them anew, after it has built stylet_replay: that
+records the insertions that are replayed.
 
 usage: virtual_time.py REPOSITORY BUILD_FOLDER [--update]
 """
 import statistics
+import subprocess
 import sys
 
 sys.dont_write_bytecode = True
@@ -63,8 +65,18 @@ def read_numbers(path):
     return {row[0]: int(row[1]) for row in rows}
 
 
+def record_cases(build_folder):
+    """Builds the replay here, with which the recorded insertions become those of this source."""
+    command = ["cmake", "--build", str(build_folder), "--target", "stylet_replay"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stdout[-4000:]}")
+
+
 def main(repository, tests_build, rest):
     target.skip_without("cortex_m7")
+    if rest == ["--update"]:
+        record_cases(tests_build.parents[1])
     found = measure(target.build(repository, tests_build, "cortex_m7"))
     path = repository / "tests/cross/virtual_time.txt"
     if rest == ["--update"]:
