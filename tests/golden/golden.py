@@ -23,14 +23,13 @@ import sys
 import tempfile
 import zlib
 
-import h5py
-import numpy as np
-
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "hal/scenes"))
 
-import draw  # noqa: E402
+import draw  # noqa: E402; first, as it says what to do if h5py is not there
+import h5py  # noqa: E402
+import numpy as np  # noqa: E402
 import play  # noqa: E402
 
 TABLE = HERE / "scenes.json"

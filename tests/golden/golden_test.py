@@ -3,6 +3,7 @@
 """The comparison of golden replays finds a difference and says where it is."""
 import copy
 import pathlib
+import subprocess
 import sys
 import unittest
 
@@ -57,6 +58,16 @@ class Comparison(unittest.TestCase):
         self.now = copy.deepcopy(self.golden)
         del self.now["points"][-1][8:]  # of the second needle
         self.assertIn("values", self.found())
+
+
+class Packages(unittest.TestCase):
+    def test_a_python_without_packages_is_told_which_has_them(self):
+        scenes = pathlib.Path(play.__file__).resolve().parent
+        for program, words in ((golden.__file__, []), (scenes / "play.py", [NAME])):
+            done = subprocess.run([sys.executable, "-S", program, *words], capture_output=True,
+                                  text=True)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"^\S+\.py: No module named 'h5py': run with /usr/bin/")
 
 
 class Table(unittest.TestCase):
