@@ -16,8 +16,12 @@ COLUMNS = 100
 FUNCTION_LINES = 60
 TEST_LINES = 70  # for a test's function, which may contain its table of cases
 FILE_LINES = 500  # for what is built; tests may have long tables of cases
-# Files that were longer when the check came to them, with their lengths then: they may shrink.
+# Files that may be longer: the first for the reason above it; the others were longer when the check
+# came to them, so they may have their lengths of then, and shrink.
 LONG_FILES = {
+    # The interface in C, which layout.py and programs read as one file: it grows by a field with
+    # each parameter of a material (kernel/own_law.md), and has room for some.
+    "hal/hosts/c/include/stylet/stylet.h": 540,
     "hal/console/page/src/app.css": 581,
     "hal/hosts/browser/package/index.mjs": 569,
     "toolchain/checks/self_test.py": 700,
@@ -87,7 +91,8 @@ def check_text(name, lines):
 def check_length(name, lines):
     allowed = LONG_FILES.get(name, FILE_LINES)
     if len(lines) > allowed and not name.startswith("tests/"):
-        yield f"{name}: {len(lines)} lines, allowed are {allowed}"
+        yield (f"{name}: {len(lines)} lines, allowed are {allowed}: move one idea of it into a file "
+               "of its own")
 
 
 LINK = re.compile(r"\]\(([^)#:\s]+)(#[^)\s]*)?\)")
