@@ -466,7 +466,10 @@ def main():
         found = list(differences(results, rows_of(table)))
         print("\n".join(found))
         return bool(found)
-    path.write_text(made_table(constants, values, results, rows_of(table)))
+    table = made_table(constants, values, results, rows_of(table))
+    path.write_text(table)
+    begins = tuple(f"| `{name}{end}" for name in options.names for end in ("`", "["))
+    print("".join(line for line in table.splitlines(True) if line.startswith(begins)), end="")
     return False
 
 
