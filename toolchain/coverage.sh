@@ -16,10 +16,10 @@ case $subject in
     programs=(
       unit_create unit_laws unit_math unit_organ_open unit_state unit_surface unit_edges
       unit_odd_organ unit_sheets unit_snapshot unit_sparse_organ coupling_abuse coupling_aside
-      coupling_continuity coupling_pools coupling_stiffness fidelity_cluster fidelity_needle_abuse
-      fidelity_needle_shape fuzz_organ fuzz_snapshot fuzz_tick insertion_bone insertion_felt
-      insertion_layers insertion_roll insertion_several obstacle_contact obstacle_gap rt_team
-      stylet-simulator
+      coupling_continuity coupling_friction coupling_pools coupling_stiffness fidelity_cluster
+      fidelity_needle_abuse fidelity_needle_shape fuzz_organ fuzz_snapshot fuzz_tick insertion_bone
+      insertion_felt insertion_layers insertion_roll insertion_several obstacle_contact obstacle_gap
+      rt_team stylet-simulator
     )
     scripts=()
     exceptions=$root/toolchain/coverage_exceptions.txt
