@@ -91,8 +91,8 @@ def check_text(name, lines):
 def check_length(name, lines):
     allowed = LONG_FILES.get(name, FILE_LINES)
     if len(lines) > allowed and not name.startswith("tests/"):
-        yield (f"{name}: {len(lines)} lines, allowed are {allowed}: move one idea of it into a file "
-               "of its own")
+        yield (f"{name}: {len(lines)} lines, allowed are {allowed}: move one idea of it into a "
+               "file of its own")
 
 
 LINK = re.compile(r"\]\(([^)#:\s]+)(#[^)\s]*)?\)")

@@ -14,8 +14,8 @@ bool has_voxel(const Organ& organ, const LevelPlace& at) {
   return has_voxel(organ, {at.x, at.x + 1}, place.y, place.z);
 }
 
-// Whether a level has a voxel in a coarser cell, in the first `rows` rows of the cell (y first, then
-// z).
+// Whether a level has a voxel in a coarser cell, in the first `rows` rows of the cell (y first,
+// then z).
 bool has_voxel_in(const Organ& organ, const LevelPlace& cell, std::uint32_t level,
                   std::uint32_t rows) {
   const std::uint32_t ratio = 1U << (level - cell.level);
