@@ -8,14 +8,9 @@ import json
 import os
 import pathlib
 import subprocess
-import sys
 
-try:
-    import h5py
-    import numpy as np
-except ModuleNotFoundError as missing:
-    sys.exit(f"{sys.argv[0]}: {missing}: run with /usr/bin/python3, for which toolchain/setup.sh "
-             "installs it")
+import h5py
+import numpy as np
 
 import play
 

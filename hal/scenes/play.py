@@ -29,6 +29,16 @@ BIN = pathlib.Path(os.environ.get("STYLET_BIN", ROOT / "build/release/bin" if
 MARK = "# organ: "
 
 
+def drawing():
+    """The module draw, whose packages only Debian's python3 may have."""
+    try:
+        import draw
+    except ModuleNotFoundError as missing:
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {missing}: run with /usr/bin/python3, for "
+                 "which toolchain/setup.sh installs it")
+    return draw
+
+
 class DataMissing(Exception):
     """The shared data that an organ is made of is not there."""
 
@@ -95,7 +105,7 @@ def main():
     unknown = set(options.scene) - set(scene_names())
     if unknown:
         sys.exit(f"play.py: {sorted(unknown)[0]}: expected one of {', '.join(scene_names())}")
-    import draw  # needs h5py
+    draw = drawing()
     folder = options.out or pathlib.Path(tempfile.mkdtemp(prefix="stylet-"))
     folder.mkdir(parents=True, exist_ok=True)
     for name in options.scene or scene_names():

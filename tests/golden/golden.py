@@ -27,10 +27,11 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "hal/scenes"))
 
-import draw  # noqa: E402; first, as it says what to do if h5py is not there
+import play  # noqa: E402
+
+draw = play.drawing()  # which says what to do if the packages below are not there
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
-import play  # noqa: E402
 
 TABLE = HERE / "scenes.json"
 EACH_NEEDLE = ("tip_m", "force_n", "depth_m", "constraint_particles")

@@ -67,7 +67,7 @@ class Packages(unittest.TestCase):
             done = subprocess.run([sys.executable, "-S", program, *words], capture_output=True,
                                   text=True)
             self.assertEqual(done.returncode, 1)
-            self.assertRegex(done.stderr, r"^\S+\.py: No module named 'h5py': run with /usr/bin/")
+            self.assertRegex(done.stderr, r"^\w+\.py: No module named 'h5py': run with /usr/bin/")
 
 
 class Table(unittest.TestCase):
