@@ -2,8 +2,8 @@
 // Shadows (lattice/shadow.h) where a lattice has sheets: parts that are not joined have shadows of
 // their own, so that none moves with the other.
 //
-// Promises: no allocation; at creation only. Of ties, only those of finer nodes that a shadow moves
-// are searched.
+// Promises: no allocation; at creation only. A search for a tie looks only at the finer nodes that
+// a shadow moves.
 #pragma once
 
 #include "lattice/shadow_walk.h"

@@ -112,9 +112,10 @@ class Hanging {
         if (is_one) add(parent_of(at.part));
       }
       if (decided) continue;
-      // The coarser voxel has next to no samples here, or nowhere any: the parts of the coarser
-      // level tell what is connected. If a finer part is a sliver, it belongs to no coarser part.
-      // The sliver then hangs on a coarser part that touches all coarser parts around it.
+      // The coarser voxel has next to no samples here, and perhaps none at all: the parts of the
+      // coarser level tell what is connected. A finer part that is a sliver belongs to no coarser
+      // part. Such a sliver hangs on each coarser part that touches all coarser parts around it and
+      // that the sliver is not apart from.
       for (const AtNode& at : around) {
         const CellPart& own = fine_.cells.parts[at.part];
         if (!own.is_voxel || group_of(at) != group) continue;
