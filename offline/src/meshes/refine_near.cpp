@@ -46,8 +46,8 @@ class Halves {
     const auto halved = 3 - std::ranges::count(m, kWhole);
     // One: it is the first. Two: the last is whole.
     while ((halved == 1 && m[0] == kWhole) || (halved == 2 && m[2] != kWhole)) {
-      std::ranges::rotate(t, t.begin() + 1);
-      std::ranges::rotate(m, m.begin() + 1);
+      std::rotate(t.begin(), t.begin() + 1, t.end());
+      std::rotate(m.begin(), m.begin() + 1, m.end());
     }
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
       triangles.push_back({a, b, c});

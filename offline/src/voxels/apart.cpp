@@ -38,9 +38,11 @@ void offer_cell(const Claims& claims, std::uint32_t cell, const ApartOwners& apa
     if ((sides >> apart.side_of(owner) & 1U) != 0) best.offer(owner, samples);
   };
   offer(claims.owner[cell], claims.owner_fill[cell]);
-  for (const Claims::Share& share :
-       std::ranges::equal_range(claims.shares, cell, {}, &Claims::Share::cell)) {
-    offer(share.owner, std::popcount(share.inside));
+  // Not equal_range, whose subrange clang 14 cannot read with the library of GCC 12.
+  const auto& shares = claims.shares;
+  auto share = std::ranges::lower_bound(shares, cell, {}, &Claims::Share::cell);
+  for (; share != shares.end() && share->cell == cell; ++share) {
+    offer(share->owner, std::popcount(share->inside));
   }
 }
 
