@@ -36,7 +36,7 @@ constexpr float kLeastLayer = 0.01F;
 // The tip's own spring has at least this part of the lattice's compliance: with less, tissue
 // dragged far gained energy.
 constexpr float kLeastOwnPart = 0.25F;
-// Under a thin skin, which tissue does not drag, less is enough (PHYSICS 8.4).
+// Under a thin skin less is enough: random sessions with skins gain no energy (tests/simulator).
 constexpr float kLeastUnderSkin = 0.05F;
 // A row of CPs with even weights moves like a cylinder of this radius, in voxel edges: at Poisson
 // ratio 0, and how much less at 1. The compliance of its springs counts this many times: they also

@@ -57,10 +57,9 @@ void support_evenly(const Model& model, const State& state, Particle& p) {
   if (p.support_count > 0) p.rest_m = unloaded_place(model, p);
 }
 
-// Voxels without a skin carry at most this part of a skin's puncture force, in G h^2: with more
-// they are crushed (4: a liver's capsule in voxels of 5 mm that are half full is punctured at 3.4
-// mm instead of 4.4), with less weak skins are held by too few (2: up to 6 % too soft). Measured:
-// tests/fidelity/coupling/contact_test.cpp.
+// How much of a skin's puncture force voxels without a skin carry at most, in G h^2. With 4 a
+// liver's capsule in voxels of 5 mm that are half full is punctured at 3.4 mm instead of 4.4; with
+// 2 contact with weak skins is up to 6 % too soft (tests/fidelity/coupling/contact_test.cpp).
 constexpr float kBareMost = 3;
 
 // How far below the face voxels hold a tip in contact, in edges: one; under a thin skin the

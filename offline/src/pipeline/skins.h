@@ -17,7 +17,8 @@ namespace stylet::offline {
 
 // For the voxels that the surface touches and whose material has a skin, sorted by voxel.
 // `material_of_voxel` counts through all levels. The area that several such voxels share, because
-// they lie in the same cell, is divided evenly.
+// they lie in the same cell, is divided evenly. Surfaces of several bodies in a voxel add up, also
+// where they touch (PHYSICS 18.4).
 std::vector<OrganSkin> place_skins(const Mesh& surface_m, std::span<const Lattice> levels,
                                    std::span<const std::uint8_t> material_of_voxel,
                                    const std::vector<Tissue>& materials);
