@@ -8,17 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include "coupling/slides.h"
 #include "draw.h"
 #include "felt.h"
-#include "helper_threads.h"
 #include "lattice/hanging.h"
+#include "same_bits.h"
 #include "set_speed.h"
 #include "step_energy.h"
-#include "variants.h"
 
 namespace stylet::test {
 namespace {
@@ -507,26 +505,7 @@ TEST(PartsInLevels, HelpersInstructionSetsAndOldScratchChangeNoBit) {
   graded.split = at_random(5, 0.15);
   const Config config = needle_config();
   const Script script = script_of(graded, config);
-  const auto hash_of = [&](const Variant& variant, std::uint32_t helpers, bool spoil) {
-    Bodies bodies = make(graded, config);
-    Kernel& kernel = bodies.kernel();
-    kernel.step = variant.step;
-    const Block memory = make_block(team_bytes(kernel, helpers), std::byte{0x7F});
-    EXPECT_EQ(set_team(kernel, helpers, memory.span()), Status::kOk);
-    const Helpers threads(kernel, helpers);
-    for (std::uint64_t i = 300; i < 1000; ++i) {
-      if (spoil) std::memset(kernel.scratch, static_cast<int>(i), kernel.sizes.scratch_bytes);
-      tick(kernel, scripted_input(script, i));
-    }
-    EXPECT_GT(view_of(kernel).state.needle->shaft_count, 0U);
-    return hash(kernel);
-  };
-  const std::vector<Variant> variants = variants_here();
-  const std::uint64_t one = hash_of(variants[0], 0, false);
-  for (const Variant& variant : variants) {
-    EXPECT_EQ(hash_of(variant, 0, true), one) << variant.name;
-    EXPECT_EQ(hash_of(variant, 2, false), one) << variant.name;
-  }
+  expect_same_bits([&] { return make(graded, config); }, script, 1000);
 }
 
 TEST(PartsInLevels, ASnapshotGoesOnToTheBit) {

@@ -5,19 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <string>
 #include <tuple>
 
 #include "felt.h"
-#include "helper_threads.h"
 #include "lattice/hanging.h"
 #include "lattice/voxel.h"
+#include "same_bits.h"
 #include "set_speed.h"
 #include "state/layout.h"
 #include "step_energy.h"
-#include "variants.h"
 
 namespace stylet::test {
 namespace {
@@ -299,26 +297,7 @@ TEST(Graded, HelpersInstructionSetsAndOldScratchChangeNoBit) {
   graded.split = at_random(5, 0.2);
   const Config config = with_unit(2.5e-3F);
   const Script script = script_of(graded, config);
-  const auto hash_of = [&](const Variant& variant, std::uint32_t helpers, bool spoil) {
-    Body body = make(graded, config);
-    Kernel& kernel = body.session.kernel;
-    kernel.step = variant.step;
-    const Block memory = make_block(team_bytes(kernel, helpers), std::byte{0x7F});
-    EXPECT_EQ(set_team(kernel, helpers, memory.span()), Status::kOk);
-    const Helpers threads(kernel, helpers);
-    for (std::uint64_t i = 300; i < 1100; ++i) {
-      if (spoil) std::memset(kernel.scratch, static_cast<int>(i), kernel.sizes.scratch_bytes);
-      tick(kernel, scripted_input(script, i));
-    }
-    EXPECT_GT(view_of(kernel).state.needle->shaft_count, 0U);
-    return hash(kernel);
-  };
-  const std::vector<Variant> variants = variants_here();
-  const std::uint64_t one = hash_of(variants[0], 0, false);
-  for (const Variant& variant : variants) {
-    EXPECT_EQ(hash_of(variant, 0, true), one) << variant.name;
-    EXPECT_EQ(hash_of(variant, 2, false), one) << variant.name;
-  }
+  expect_same_bits([&] { return make(graded, config); }, script, 1100);
 }
 
 // A body in two sheets, tied along a cut that crosses levels, moves as in one sheet.
